@@ -1,0 +1,102 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "gasSolver.H"
+
+template<int dim>
+void Foam::gasSolver<dim>::updateFields()
+{
+    const gasDynamics::PerfectGas& eos = state_.eos;
+    const labelList& nodeOfPoint = mesh_.nodeOfPoint();
+
+    // The whole value of a point, boundary points included
+    auto& p = p_.primitiveFieldRef();
+    auto& U = U_.primitiveFieldRef();
+    auto& T = T_.primitiveFieldRef();
+    auto& rho = rho_.primitiveFieldRef();
+
+    forAll(nodeOfPoint, pointi)
+    {
+        const label a = nodeOfPoint[pointi];
+        rho[pointi] = state_.U[a][0];
+        p[pointi] = state_.p[a];
+        T[pointi] = eos.temperature(state_.p[a], state_.U[a][0]);
+        U[pointi] = mesh_.fullVector<dim>(state_.velocity[a]);
+    }
+}
+
+
+template<int dim>
+Foam::tmp<Foam::vectorField> Foam::gasSolver<dim>::pressureForces
+(
+    const fePatch& patch,
+    const scalar pRef
+) const
+{
+    auto tforces = tmp<vectorField>::New(patch.nodes.size(), Zero);
+    vectorField& forces = tforces.ref();
+
+    forAll(patch.facetSimplex, i)
+    {
+        double p[dim];
+        Vec force[dim];
+        for (int b = 0; b < dim; ++b)
+        {
+            p[b] = state_.p[patch.facets[dim*i + b]] - pRef;
+        }
+        gasBoundary<dim>::facetForces
+        (
+            p, geometry_.presentFacetArea(patch, i), force
+        );
+        for (int b = 0; b < dim; ++b)
+        {
+            const label local =
+                findLower(patch.nodes, patch.facets[dim*i + b] + 1);
+            forces[local] += mesh_.fullVector<dim>(force[b]);
+        }
+    }
+    return tforces;
+}
+
+
+template<int dim>
+Foam::gasTotals Foam::gasSolver<dim>::totals() const
+{
+    State sum = State::Zero();
+    for (label a = 0; a < mesh_.nNodes(); ++a)
+    {
+        sum += geometry_.nodeVolume(a)*state_.U[a];
+    }
+    return gasTotals
+    {
+        sum[0],
+        mesh_.fullVector<dim>(Vec(sum.template segment<dim>(1))),
+        sum[dim + 1]
+    };
+}
+
+
+template<int dim>
+Foam::gasExtrema Foam::gasSolver<dim>::extrema() const
+{
+    gasExtrema e{GREAT, -GREAT, GREAT, -GREAT, GREAT, -GREAT};
+    for (label a = 0; a < mesh_.nNodes(); ++a)
+    {
+        const scalar p = state_.p[a];
+        const scalar rho = state_.U[a][0];
+        const scalar T = state_.eos.temperature(p, rho);
+        e.minP = min(e.minP, p);
+        e.maxP = max(e.maxP, p);
+        e.minRho = min(e.minRho, rho);
+        e.maxRho = max(e.maxRho, rho);
+        e.minT = min(e.minT, T);
+        e.maxT = max(e.maxT, T);
+    }
+    return e;
+}
+
+
+template class Foam::gasSolver<1>;
+template class Foam::gasSolver<2>;
+template class Foam::gasSolver<3>;
