@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Before the change of the instruction set: code of shared headers stays baseline
+#include "ElementBatch.hpp"
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+
+#pragma GCC push_options
+#pragma GCC target("avx2,fma")
+
+#define SHELL_KERNEL_NAMESPACE avx2
+#define SHELL_REGISTER_DOUBLES 4
+#include "BatchSums.hpp"
+
+#pragma GCC pop_options
+
+namespace positionalShell
+{
+
+const BatchKernel* avx2Kernel()
+{
+    static const BatchKernel kernel
+    {
+        avx2::energy, avx2::force, avx2::addTangent
+    };
+    return &kernel;
+}
+
+} // namespace positionalShell
+
+#else
+
+namespace positionalShell
+{
+
+const BatchKernel* avx2Kernel()
+{
+    return nullptr;
+}
+
+} // namespace positionalShell
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ElementBatch.hpp"
+
+#define SHELL_KERNEL_NAMESPACE baseline
+#define SHELL_REGISTER_DOUBLES 2
+#include "BatchSums.hpp"
+
+namespace positionalShell
+{
+
+const BatchKernel& baselineKernel()
+{
+    static const BatchKernel kernel
+    {
+        baseline::energy, baseline::force, baseline::addTangent
+    };
+    return kernel;
+}
+
+} // namespace positionalShell

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All elements of a model, in batches of four, with their reference state:
+// gathers unknowns, runs the kernels, scatters results.
+
+#ifndef positionalShell_ElementData_hpp
+#define positionalShell_ElementData_hpp
+
+#include "ElementBatch.hpp"
+#include "Section.hpp"
+#include "ShellMesh.hpp"
+
+#include <vector>
+
+namespace positionalShell
+{
+
+class SystemMatrix;
+
+class ElementData
+{
+public:
+
+    //- The mesh must live as long as this object. Throws std::invalid_argument,
+    //  naming the element, where the body folds over: thickness too large for
+    //  the curvature.
+    ElementData
+    (
+        const ShellMesh& mesh,
+        const std::vector<Section>& sections,
+        const std::vector<int>& sectionOfElement,
+        int areaPoints,
+        int thicknessPoints
+    );
+
+    double energy(const Vector& q) const;
+    void addForce(const Vector& q, Vector& f) const;
+    void addTangent(const Vector& q, SystemMatrix& K) const;
+    double leastVolumeRatio(const Vector& q) const;
+
+private:
+
+    const ShellMesh& mesh_;
+    const BatchKernel& kernel_;
+    ElementRule rule_;
+    std::vector<ElementBatch> batches_;
+
+    void addBatch
+    (
+        const Vector& q0,
+        const Section& section,
+        const std::vector<int>& elements
+    );
+    void setReference(const Vector& q0, ElementBatch& batch, int lane);
+    void gather(const ElementBatch&, const Vector& q, ElementVector&) const;
+};
+
+} // namespace positionalShell
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "SaintVenantKirchhoff.hpp"
+
+#include <functional>
+#include <stdexcept>
+
+namespace positionalShell
+{
+
+namespace
+{
+
+using Parameters = Material::Parameters;
+
+//- A material of the factory: the parameters it needs and how it is made
+struct Entry
+{
+    std::vector<std::string> parameters;
+    std::function<MaterialPtr(const Parameters&)> make;
+};
+
+const std::map<std::string, Entry>& entries()
+{
+    static const std::map<std::string, Entry> all
+    {
+        {
+            "SaintVenantKirchhoff",
+            {
+                {"youngsModulus", "poissonRatio", "density"},
+                [](const Parameters& p)
+                {
+                    return std::make_shared<SaintVenantKirchhoff>
+                    (
+                        p.at("youngsModulus"),
+                        p.at("poissonRatio"),
+                        p.at("density")
+                    );
+                }
+            }
+        }
+    };
+    return all;
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string list;
+    for (const std::string& name : names) list += " " + name;
+    return list;
+}
+
+void checkParameters
+(
+    const std::string& material,
+    const std::vector<std::string>& needed,
+    const Parameters& given
+)
+{
+    for (const std::string& name : needed)
+    {
+        if (!given.count(name))
+        {
+            throw std::invalid_argument
+            (
+                "material " + material + ": parameter " + name
+              + " is missing; needed:" + listed(needed)
+            );
+        }
+    }
+    if (given.size() == needed.size()) return;
+    for (const auto& [name, value] : given)
+    {
+        bool known = false;
+        for (const std::string& n : needed) known = known || n == name;
+        if (!known)
+        {
+            throw std::invalid_argument
+            (
+                "material " + material + ": unknown parameter " + name
+              + "; valid:" + listed(needed)
+            );
+        }
+    }
+}
+
+} // namespace
+
+Material::Material(double density) : density_(density)
+{
+    if (!(density > 0))
+    {
+        throw std::invalid_argument
+        (
+            "material: density must be positive, not " + std::to_string(density)
+        );
+    }
+}
+
+std::vector<std::string> Material::names()
+{
+    std::vector<std::string> all;
+    for (const auto& [name, entry] : entries()) all.push_back(name);
+    return all;
+}
+
+MaterialPtr Material::create
+(
+    const std::string& name,
+    const Parameters& parameters
+)
+{
+    const auto found = entries().find(name);
+    if (found == entries().end())
+    {
+        throw std::invalid_argument
+        (
+            "unknown material " + name + "; valid:" + listed(names())
+        );
+    }
+    checkParameters(name, found->second.parameters, parameters);
+    return found->second.make(parameters);
+}
+
+} // namespace positionalShell

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "EnergyBalance.hpp"
+
+namespace positionalShell
+{
+
+EnergyBalance::EnergyBalance
+(
+    const ShellModel& model,
+    const ShellState& start,
+    const Vector& externalForce,
+    double massDamping
+)
+:
+    model_(model),
+    massDamping_(massDamping),
+    last_(start),
+    lastForce_(externalForce),
+    lastReaction_(reaction(start, externalForce)),
+    kinetic_(model.kineticEnergy(start.velocity)),
+    strain_(model.strainEnergy(start.position))
+{
+    initialTotal_ = kinetic_ + strain_;
+}
+
+//- Force of the supports on the driven and fixed unknowns
+Vector EnergyBalance::reaction
+(
+    const ShellState& state,
+    const Vector& externalForce
+) const
+{
+    Vector balance = model_.internalForce(state.position) - externalForce;
+    const Vector rate = state.acceleration + massDamping_*state.velocity;
+    model_.addMassTimes(1, rate, balance);
+    Vector result = Vector::Zero(balance.size());
+    for (const auto& p : model_.dofs().prescribed())
+    {
+        result[p.index] = balance[p.index];
+    }
+    return result;
+}
+
+void EnergyBalance::add(const DynamicStep& step)
+{
+    const ShellState& now = step.state;
+    const double dt = now.time - last_.time;
+    const Vector moved = now.position - last_.position;
+    const Vector react = reaction(now, step.externalForce);
+
+    externalWork_ += 0.5*moved.dot(lastForce_ + step.externalForce);
+    supportWork_ += 0.5*moved.dot(lastReaction_ + react);
+
+    const Vector meanVelocity = 0.5*(last_.velocity + now.velocity);
+    dissipated_ += massDamping_*dt
+       *meanVelocity.dot(model_.massTimes(meanVelocity));
+
+    const Vector meanForce = 0.5*
+        (lastForce_ + step.externalForce + lastReaction_ + react);
+    for (int i = 0; i < model_.mesh().nNodes(); ++i)
+    {
+        impulse_ += dt*meanForce.segment<3>(fullIndex(i, Component::x));
+    }
+
+    kinetic_ = model_.kineticEnergy(now.velocity);
+    strain_ = model_.strainEnergy(now.position);
+    last_ = now;
+    lastForce_ = step.externalForce;
+    lastReaction_ = react;
+}
+
+double EnergyBalance::mismatch() const
+{
+    return total() - initialTotal_ - externalWork_ - supportWork_ + dissipated_;
+}
+
+} // namespace positionalShell

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Equilibrium of the thickness strain a for given positions and directors, (S32):
+// the equations of a are those of statics, all others are held.
+
+#ifndef positionalShell_ThicknessProblem_hpp
+#define positionalShell_ThicknessProblem_hpp
+
+#include "Load.hpp"
+#include "Newton.hpp"
+
+namespace positionalShell
+{
+
+class ThicknessProblem : public EquilibriumProblem
+{
+public:
+
+    ThicknessProblem
+    (
+        const ShellModel& model,
+        const Loads& loads,
+        const Vector* fixedForce,
+        const ShellState& state
+    )
+    :
+        model_(model),
+        loads_(loads),
+        fixedForce_(fixedForce),
+        time_(state.time),
+        q_(state.position)
+    {}
+
+    const ShellModel& model() const override { return model_; }
+    const Vector& position() const override { return q_; }
+
+    void residual(Vector& full, KindNorms& scale) override
+    {
+        full = totalForce(loads_, model_, q_, time_);
+        if (fixedForce_) full += *fixedForce_;
+        const Vector internal = model_.internalForce(q_);
+        scale = greater(normsByKind(full), normsByKind(internal));
+        full -= internal;
+        for (Eigen::Index i = 0; i < full.size(); ++i)
+        {
+            if (i%dofsPerNode != static_cast<int>(Component::a)) full[i] = 0;
+        }
+    }
+
+    void elasticTangent(SystemMatrix& K) override
+    {
+        model_.addTangent(q_, K);
+        K.decouple
+        (
+            [this](int equation) { return !model_.massless(equation); }
+        );
+    }
+
+    // Loads do no work on a
+    void addOtherTangent(SystemMatrix&) override {}
+
+    void move(const Vector& increment) override
+    {
+        model_.dofs().addExpanded(increment, q_);
+    }
+
+private:
+
+    const ShellModel& model_;
+    const Loads& loads_;
+    const Vector* fixedForce_;
+    double time_;
+    Vector q_;
+};
+
+} // namespace positionalShell
+
+#endif
