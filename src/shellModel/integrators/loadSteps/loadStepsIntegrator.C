@@ -1,0 +1,60 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "loadStepsIntegrator.H"
+#include "addToRunTimeSelectionTable.H"
+#include "newtonControls.H"
+
+namespace Foam
+{
+namespace shellIntegrators
+{
+    defineTypeNameAndDebug(loadSteps, 0);
+    addToRunTimeSelectionTable(shellIntegrator, loadSteps, dictionary);
+}
+}
+
+
+Foam::shellIntegrators::loadSteps::loadSteps
+(
+    const positionalShell::ShellModel& model,
+    const dictionary& shellProperties
+)
+:
+    model_(model),
+    options_
+    (
+        readNewtonControls(shellProperties, positionalShell::NewtonOptions())
+    )
+{
+    reset();
+}
+
+
+positionalShell::DynamicStep Foam::shellIntegrators::loadSteps::step
+(
+    const positionalShell::ShellState& start,
+    const scalar dt,
+    const positionalShell::Loads& loads,
+    const positionalShell::Vector& fixedForce
+)
+{
+    const positionalShell::StaticStep found =
+        solver_->step(start, start.time + dt, loads, &fixedForce);
+
+    positionalShell::DynamicStep result;
+    result.converged = found.converged;
+    result.state = found.state;
+    result.report = found.report;
+    result.externalForce =
+        fixedForce
+      + totalForce(loads, model_, found.state.position, found.state.time);
+    return result;
+}
+
+
+void Foam::shellIntegrators::loadSteps::reset()
+{
+    solver_.reset(new positionalShell::StaticSolver(model_, options_));
+}

@@ -1,0 +1,98 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "shellModel.H"
+
+void Foam::shellModel::writeState(const word& timeName) const
+{
+    writeShellState
+    (
+        runTime_,
+        timeName,
+        {now_.state, now_.externalForce, energies()}
+    );
+
+    if (vtk_)
+    {
+        vtk_->write(now_.state, runTime_.timeIndex());
+    }
+    writtenSinceStep_ = true;
+}
+
+
+bool Foam::shellModel::writeObject
+(
+    IOstream::streamFormat,
+    IOstream::versionNumber,
+    IOstream::compressionType,
+    const bool
+) const
+{
+    // Before initialise there is no state that a run could continue from
+    if (now_.account)
+    {
+        writeState(runTime_.timeName());
+    }
+    return true;
+}
+
+
+void Foam::shellModel::describe(Ostream& os) const
+{
+    os  << "Shell: " << label(mesh().nElements()) << " cubic triangles, "
+        << label(mesh().nNodes()) << " nodes, "
+        << label(model_->dofs().nEquations()) << " equations" << nl
+        << "    mass " << scalar(model_->totalMass()) << " kg, "
+        << (dynamic_ ? "time integrator " : "statics by ")
+        << integrator_->type();
+
+    if (planeStrain())
+    {
+        os  << ", plane strain along " << stripDirection()
+            << ", width " << stripWidth() << " m";
+    }
+    os  << nl
+        << (
+               now_.account
+             ? "    continues from the state in "
+             : "    starts undeformed and at rest at time "
+           )
+        << runTime_.timeName().c_str()
+        << (now_.account ? "/shell" : "") << nl << endl;
+}
+
+
+void Foam::shellModel::reportStep(Ostream& os) const
+{
+    const shellStepReport& r = now_.report;
+
+    os  << "Newton (" << r.solver.c_str() << "):  Solving for shell"
+        << ", Initial residual = " << r.initialResidual
+        << ", Final residual = " << r.residual
+        << ", No Iterations " << r.iterations << nl
+        << "Shell: max displacement = " << maxDisplacement()
+        << " m, strain energy = " << energies().strain
+        << " J, kinetic energy = " << energies().kinetic << " J" << endl;
+}
+
+
+void Foam::shellModel::reportEnd(Ostream& os) const
+{
+    const shellEnergies e(energies());
+
+    os  << "Shell energies [J]" << nl
+        << "    strain         " << e.strain << nl
+        << "    kinetic        " << e.kinetic << nl
+        << "    external work  " << e.externalWork << nl
+        << "    support work   " << e.supportWork << nl
+        << "    dissipated     " << e.dissipated << nl
+        << "    mismatch       " << e.mismatch() << nl
+        << "Shell steps" << nl
+        << "    steps          " << nSteps_ << nl
+        << "    iterations     " << nIterations_ << nl
+        << "    time in steps  " << stepTime_ << " s" << nl
+        << "    rate           "
+        << mesh().nNodes()*scalar(nSteps_)/max(stepTime_, VSMALL)
+        << " node steps per second" << nl << endl;
+}
