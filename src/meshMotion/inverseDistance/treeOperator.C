@@ -1,0 +1,198 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "treeOperator.H"
+#include "termSelector.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<int dim>
+Foam::treeOperator<dim>::treeOperator
+(
+    const attractingPoints& moving,
+    const attractingPoints& fixed,
+    const pointField& targets,
+    const inverseDistanceSettings& settings
+)
+:
+    moving_(moving.positions, moving.strengths, settings.e1)
+{
+    const attractor<dim> fixedPoints
+    (
+        fixed.positions,
+        fixed.strengths,
+        settings.e2
+    );
+    termSelector<dim> selector(moving_, fixedPoints, settings.tolerance);
+
+    rows_.reserve(targets.size());
+    for (const point& p : targets)
+    {
+        const coordinates target = sourceTree<dim>::toCoordinates(p);
+        selector.select(target);
+        addRow(target, selector);
+    }
+    terms_.shrink_to_fit();
+    stored_.shrink_to_fit();
+
+    statistics_.nStored = stored_.size();
+    statistics_.nBytes =
+        rows_.size()*sizeof(row)
+      + terms_.size()*sizeof(label)
+      + stored_.size()*sizeof(scalar);
+}
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+template<int dim>
+void Foam::treeOperator<dim>::addRow
+(
+    const coordinates& target,
+    const termSelector<dim>& chosen
+)
+{
+    const std::size_t begin = terms_.size();
+    for (const label clusteri : chosen.movingExpanded())
+    {
+        terms_.push_back(clusteri);
+    }
+    for (const label clusteri : chosen.movingSummed())
+    {
+        terms_.push_back(-1 - clusteri);
+    }
+
+    const label n = nWeights(chosen);
+    row r = {target, terms_.size(), 1/chosen.weight()};
+    if (n <= maxStored)
+    {
+        std::size_t weighti = stored_.size();
+        stored_.resize(weighti + n);
+        for (std::size_t i = begin; i < r.end; ++i)
+        {
+            evaluate(terms_[i], target, stored_.data() + weighti);
+            weighti += columnsOf(terms_[i]).size;
+        }
+        for (weighti = stored_.size() - n; weighti < stored_.size(); ++weighti)
+        {
+            stored_[weighti] *= r.inverseWeight;
+        }
+        r.inverseWeight = 0;
+    }
+    rows_.push_back(r);
+
+    statistics_.nWeights += n;
+    statistics_.nFixedTerms += chosen.nFixedTerms();
+    statistics_.worstBound = max(statistics_.worstBound, chosen.bound());
+}
+
+
+template<int dim>
+Foam::label Foam::treeOperator<dim>::nWeights
+(
+    const termSelector<dim>& chosen
+) const
+{
+    label n = chosen.movingExpanded().size()*multipole<dim>::nTerms;
+    for (const label clusteri : chosen.movingSummed())
+    {
+        n += moving_[clusteri].size();
+    }
+    return n;
+}
+
+
+template<int dim>
+typename Foam::treeOperator<dim>::columns
+Foam::treeOperator<dim>::columnsOf(const label term) const
+{
+    const sourceTree<dim>& tree = moving_.tree();
+    if (term >= 0)
+    {
+        return {tree.momentRow(term), multipole<dim>::nTerms};
+    }
+    return {tree.pointRow(-1 - term), moving_[-1 - term].size()};
+}
+
+
+template<int dim>
+void Foam::treeOperator<dim>::evaluate
+(
+    const label term,
+    const coordinates& target,
+    scalar* weights
+) const
+{
+    if (term >= 0)
+    {
+        const auto w = moving_.momentWeights(moving_[term], target);
+        std::copy(w.begin(), w.end(), weights);
+        return;
+    }
+
+    const auto& c = moving_[-1 - term];
+    for (label i = c.begin; i < c.end; ++i)
+    {
+        *weights++ = moving_.pointWeight(i, target);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int dim>
+void Foam::treeOperator<dim>::apply
+(
+    const UList<vector>& movingValues,
+    vectorField& targetValues
+) const
+{
+    const List<coordinates> values(moving_.tree().rows(movingValues));
+    scalarList evaluated(max(moving_.tree().size(), multipole<dim>::nTerms));
+    const scalar* stored = stored_.data();
+    std::size_t termi = 0;
+
+    targetValues.setSize(rows_.size());
+    forAll(targetValues, k)
+    {
+        const row& r = rows_[k];
+        const bool isStored = r.inverseWeight == 0;
+        coordinates sum(Zero);
+
+        for (; termi < r.end; ++termi)
+        {
+            const columns block = columnsOf(terms_[termi]);
+            const coordinates* value = values.cdata() + block.begin;
+            const scalar* weight = stored;
+            if (isStored)
+            {
+                stored += block.size;
+            }
+            else
+            {
+                evaluate(terms_[termi], r.target, evaluated.data());
+                weight = evaluated.cdata();
+            }
+
+            for (label i = 0; i < block.size; ++i)
+            {
+                for (int a = 0; a < dim; ++a)
+                {
+                    sum[a] += weight[i]*value[i][a];
+                }
+            }
+        }
+
+        targetValues[k] = Zero;
+        for (int a = 0; a < dim; ++a)
+        {
+            targetValues[k][a] = isStored ? sum[a] : sum[a]*r.inverseWeight;
+        }
+    }
+}
+
+
+template class Foam::treeOperator<1>;
+template class Foam::treeOperator<2>;
+template class Foam::treeOperator<3>;
