@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 #include "feMesh.H"
 #include "emptyPolyPatch.H"
+#include "ListOps.H"
 
 namespace
 {
@@ -128,10 +129,14 @@ void Foam::feMesh::splitPolyhedron
 
     for (const label facei : faces)
     {
-        const labelList nodes(faceNodes(facei));
+        labelList nodes(faceNodes(facei));
         if (nodes.found(apex))
         {
             continue;
+        }
+        if (mesh_.faceOwner()[facei] != celli)
+        {
+            reverse(nodes);
         }
         const label n = nodes.size();
         const label start = smallest(nodes);
@@ -153,35 +158,35 @@ void Foam::feMesh::orient
     label start
 ) const
 {
-    const scalar cellVolume = mesh_.cellVolumes()[celli];
     const label stride = dim_ + 1;
     scalar sum = 0;
-    scalar least = GREAT;
+    for (label i = start; i < simplices.size(); i += stride)
+    {
+        sum += signedMeasure(*this, &simplices[i]);
+    }
+
+    // All simplices of a cell have the same sense by construction; one of the
+    // other sense leaves the cell or overlaps with its neighbours. In space
+    // it must be the positive one, elsewhere it is that of the empty side.
+    const scalar sense = (dim_ < 3 && sum < 0 ? -1 : 1);
 
     for (label i = start; i < simplices.size(); i += stride)
     {
-        scalar measure = signedMeasure(*this, &simplices[i]);
-        if (measure < 0)
+        const scalar measure = sense*signedMeasure(*this, &simplices[i]);
+        if (!(measure > 1e-12*mag(sum)))
+        {
+            FatalErrorInFunction
+                << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
+                << " cannot be split into positive simplices on its own "
+                << "points:" << nl << "    its volume is " << depth_*mag(sum)
+                << " m3, one of its simplices has " << depth_*measure << nl
+                << "    Run checkMesh; the cell is concave or degenerate"
+                << exit(FatalError);
+        }
+        if (sense < 0)
         {
             std::swap(simplices[i + dim_ - 1], simplices[i + dim_]);
-            measure = -measure;
         }
-        least = min(least, measure*depth_);
-        sum += measure*depth_;
-    }
-
-    // Simplices that overlap, or that leave the cell, add up to more than it.
-    // Warped faces make OpenFOAM's own volume differ by a little.
-    if (least <= 1e-12*cellVolume || sum > 1.05*cellVolume)
-    {
-        FatalErrorInFunction
-            << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
-            << " cannot be split into positive simplices on its own points:"
-            << nl << "    its volume is " << cellVolume
-            << ", its simplices add up to " << sum
-            << ", the least one has " << least << nl
-            << "    Run checkMesh; the cell is concave or degenerate"
-            << exit(FatalError);
     }
 }
 

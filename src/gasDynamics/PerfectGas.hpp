@@ -19,13 +19,13 @@ class PerfectGas
 public:
 
     //! From the gas constant R and the heat capacity at constant pressure Cp.
-    //  Throws std::invalid_argument unless Cp > R > 0.
+    //  Throws std::invalid_argument unless Cp > R > 0, both finite.
     PerfectGas(double R, double Cp)
     :
         R_(R),
         gamma_(Cp/(Cp - R))
     {
-        if (!(R > 0) || !(Cp > R))
+        if (!(R > 0) || !(Cp > R) || !std::isfinite(Cp))
         {
             throw std::invalid_argument
             (

@@ -12,6 +12,7 @@ Foam::gasGeometry<dim>::gasGeometry(feMesh& mesh)
     moving_(false),
     areas_(mesh.nSimplices()),
     volume_(mesh.nSimplices()),
+    inverseHeight_(mesh.nSimplices()),
     nodeVolume_(mesh.nNodes()),
     w_(mesh.nNodes(), Vec::Zero())
 {
@@ -54,6 +55,9 @@ void Foam::gasGeometry<dim>::compute
         Eigen::Matrix<double, dim, dim> rest =
             Eigen::Matrix<double, dim, dim>::Zero();
         areas_[s] = depth*simplex::areas(e, rest);
+        inverseHeight_[s] =
+            std::sqrt(areas_[s].colwise().squaredNorm().maxCoeff())
+           /volume_[s];
         for (int a = 0; a <= dim; ++a)
         {
             nodeVolume[nodes(s)[a]] += volume_[s]/(dim + 1);

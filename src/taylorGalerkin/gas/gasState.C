@@ -15,6 +15,7 @@ Foam::gasState<dim>::gasState
     U(geometry.nNodes(), State::Zero()),
     p(geometry.nNodes(), 0.0),
     velocity(geometry.nNodes(), Vec::Zero()),
+    soundSpeed(geometry.nNodes(), 0.0),
     mu(geometry.nSimplices(), 0.0)
 {}
 
@@ -34,7 +35,11 @@ Foam::label Foam::gasState<dim>::derive()
             );
 
         // Written so that NaN fails too
-        if (bad < 0 && !(U[a][0] > 0 && p[a] > 0 && std::isfinite(p[a])))
+        if (U[a][0] > 0 && p[a] > 0 && std::isfinite(p[a]))
+        {
+            soundSpeed[a] = eos.soundSpeed(p[a], U[a][0]);
+        }
+        else if (bad < 0)
         {
             bad = a;
         }

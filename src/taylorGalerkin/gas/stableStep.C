@@ -19,27 +19,23 @@ Foam::stableStep Foam::findStableStep
     for (label a = 0; a < nNodes; ++a)
     {
         speed[a] =
-            (state.velocity[a] - geometry.w(a)).norm() + state.soundSpeed(a);
+            (state.velocity[a] - geometry.w(a)).norm() + state.soundSpeed[a];
     }
 
     for (label s = 0; s < geometry.nSimplices(); ++s)
     {
         const label* nodes = geometry.nodes(s);
         const auto& B = geometry.areas(s);
-        const double V = geometry.volume(s);
-
         double fastest = 0;
-        double largestArea2 = 0;
+        const double diffusivity = state.mu[s]/geometry.volume(s);
         for (int a = 0; a <= dim; ++a)
         {
-            const double area2 = B.col(a).squaredNorm();
             fastest = std::max(fastest, speed[nodes[a]]);
-            largestArea2 = std::max(largestArea2, area2);
-            diffusion[nodes[a]] += state.mu[s]*area2/V;
+            diffusion[nodes[a]] += diffusivity*B.col(a).squaredNorm();
         }
 
-        // 1/h of the least height h, eq. (G10)
-        const double rate = fastest*std::sqrt(largestArea2)/V;
+        // Eq. (G10)
+        const double rate = fastest*geometry.inverseHeight(s);
         for (int a = 0; a <= dim; ++a)
         {
             convection[nodes[a]] = std::max(convection[nodes[a]], rate);

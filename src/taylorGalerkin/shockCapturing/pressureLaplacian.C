@@ -29,8 +29,8 @@ void Foam::pressureLaplacian<dim>::correct
 {
     const label nNodes = geometry.nNodes();
     const label nSimplices = geometry.nSimplices();
-    const double depth = geometry.mesh().depth();
     constexpr double factorial[] = {1, 1, 2, 6};
+    const double scale = factorial[dim]/geometry.mesh().depth();
 
     laplacian_.assign(nNodes, 0.0);
     for (label s = 0; s < nSimplices; ++s)
@@ -66,10 +66,12 @@ void Foam::pressureLaplacian<dim>::correct
             sumP += state.p[i];
             sumSpeed +=
                 (state.velocity[i] - geometry.w(i)).norm()
-              + state.soundSpeed(i);
+              + state.soundSpeed[i];
         }
+        // Not pow, which costs as much as the rest
+        const double hd = scale*geometry.volume(s);
         const double h =
-            std::pow(factorial[dim]*geometry.volume(s)/depth, 1.0/dim);
+            dim == 1 ? hd : dim == 2 ? std::sqrt(hd) : std::cbrt(hd);
         state.mu[s] =
             qDif_*h*h*h*sumSpeed/(dim + 1)*sumLaplacian/sumP;
     }

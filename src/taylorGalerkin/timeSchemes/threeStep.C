@@ -240,7 +240,18 @@ void Foam::threeStep<dim>::step
 
     // Artificial diffusion acts on the advanced state, eq. (9) of the paper
     residual_.assign(nNodes, State::Zero());
-    this->addArtificialDiffusion(geometry, state, dt, residual_);
+    for (label s = 0; s < geometry.nSimplices(); ++s)
+    {
+        if (state.mu[s] != 0)
+        {
+            const auto F = (dt*this->artificialFlux(geometry, state, s)).eval();
+            for (int a = 0; a <= dim; ++a)
+            {
+                residual_[geometry.nodes(s)[a]] -=
+                    F*geometry.stepAreas(s).col(a);
+            }
+        }
+    }
     for (label a = 0; a < nNodes; ++a)
     {
         state.U[a] = newU_[a] + residual_[a]/geometry.newNodeVolume(a);

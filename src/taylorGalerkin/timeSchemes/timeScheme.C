@@ -30,38 +30,6 @@ Foam::autoPtr<Foam::timeScheme<dim>> Foam::timeScheme<dim>::New
 }
 
 
-template<int dim>
-void Foam::timeScheme<dim>::addArtificialDiffusion
-(
-    const gasGeometry<dim>& geometry,
-    const gasState<dim>& state,
-    const double dt,
-    std::vector<State>& residual
-)
-{
-    for (label s = 0; s < geometry.nSimplices(); ++s)
-    {
-        if (state.mu[s] == 0)
-        {
-            continue;
-        }
-        const label* nodes = geometry.nodes(s);
-        const auto& B = geometry.areas(s);
-
-        gasDynamics::Flux<dim> gradient = gasDynamics::Flux<dim>::Zero();
-        for (int a = 0; a <= dim; ++a)
-        {
-            gradient += state.U[nodes[a]]*B.col(a).transpose();
-        }
-        gradient *= dt*state.mu[s]/geometry.volume(s);
-        for (int a = 0; a <= dim; ++a)
-        {
-            residual[nodes[a]] -= gradient*B.col(a);
-        }
-    }
-}
-
-
 template class Foam::timeScheme<1>;
 template class Foam::timeScheme<2>;
 template class Foam::timeScheme<3>;

@@ -83,9 +83,13 @@ void Foam::twoStep<dim>::addInterior
         {
             F -= half*geometry.meanW(s).transpose();
         }
+        const label* nodes = geometry.nodes(s);
+        if (state.mu[s] != 0)
+        {
+            F -= this->artificialFlux(geometry, state, s);
+        }
         F *= dt;
 
-        const label* nodes = geometry.nodes(s);
         const auto& B = geometry.stepAreas(s);
         for (int a = 0; a <= dim; ++a)
         {
@@ -217,7 +221,6 @@ void Foam::twoStep<dim>::step
     }
 
     addInterior(geometry, state, dt);
-    this->addArtificialDiffusion(geometry, state, dt, residual_);
     addBoundary(geometry, boundary, state, dt);
 
     if (consistent_)
