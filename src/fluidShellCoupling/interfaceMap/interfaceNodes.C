@@ -1,0 +1,69 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "interfaceNodes.H"
+#include "HashSet.H"
+
+Foam::interfaceNodes::interfaceNodes
+(
+    const feMesh& mesh,
+    const wordList& patchNames
+)
+{
+    DynamicList<const fePatch*> patches;
+    labelHashSet all;
+    for (const word& name : patchNames)
+    {
+        patches.append(&mesh.patch(name));
+        all |= labelHashSet(patches.last()->nodes);
+    }
+    patches_.transfer(patches);
+    nodes_ = all.sortedToc();
+
+    indexOf_.setSize(patches_.size());
+    forAll(patches_, i)
+    {
+        const labelList& nodes = patches_[i]->nodes;
+        indexOf_[i].setSize(nodes.size());
+        forAll(nodes, j)
+        {
+            indexOf_[i][j] = findLower(nodes_, nodes[j] + 1);
+        }
+    }
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::interfaceNodes::gather
+(
+    const UList<vector>& nodeValues
+) const
+{
+    auto tvalues = tmp<vectorField>::New(size());
+    vectorField& values = tvalues.ref();
+    forAll(nodes_, i)
+    {
+        values[i] = nodeValues[nodes_[i]];
+    }
+    return tvalues;
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::interfaceNodes::pressureForces
+(
+    const taylorGalerkinGas& gas,
+    const scalar pRef
+) const
+{
+    auto tforces = tmp<vectorField>::New(size(), Zero);
+    vectorField& forces = tforces.ref();
+    forAll(patches_, i)
+    {
+        const vectorField patchForces(gas.pressureForces(*patches_[i], pRef));
+        forAll(patchForces, j)
+        {
+            forces[indexOf_[i][j]] += patchForces[j];
+        }
+    }
+    return tforces;
+}

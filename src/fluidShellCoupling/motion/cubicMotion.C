@@ -1,0 +1,57 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "cubicMotion.H"
+
+Foam::cubicMotion::cubicMotion(const label size)
+:
+    duration_(1),
+    d0_(size, Zero),
+    d1_(size, Zero),
+    v0_(size, Zero),
+    v1_(size, Zero)
+{}
+
+
+void Foam::cubicMotion::reset
+(
+    const vectorField& displacement,
+    const vectorField& velocity
+)
+{
+    d1_ = displacement;
+    v1_ = velocity*duration_;
+}
+
+
+void Foam::cubicMotion::advance
+(
+    const scalar duration,
+    const vectorField& displacement,
+    const vectorField& velocity
+)
+{
+    d0_.swap(d1_);
+    v0_ = v1_*(duration/duration_);
+    d1_ = displacement;
+    v1_ = velocity*duration;
+    duration_ = duration;
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::cubicMotion::at
+(
+    const scalar s
+) const
+{
+    // Hermite polynomials; exact at both ends
+    if (s >= 1)
+    {
+        return tmp<vectorField>::New(d1_);
+    }
+    const scalar h1 = s*s*(3 - 2*s);
+    const scalar g0 = s*(1 - s)*(1 - s);
+    const scalar g1 = -s*s*(1 - s);
+    return (1 - h1)*d0_ + h1*d1_ + g0*v0_ + g1*v1_;
+}

@@ -1,0 +1,85 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "meshMover.H"
+#include "valuePointPatchField.H"
+
+bool Foam::meshMover::declared(const polyMesh& mesh)
+{
+    return IOobject
+    (
+        "dynamicMeshDict",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    ).typeHeaderOk<IOdictionary>(false);
+}
+
+
+Foam::meshMover::meshMover(polyMesh& mesh)
+:
+    mesh_(mesh),
+    solver_(motionSolver::New(mesh))
+{}
+
+
+Foam::displacementMotionSolver& Foam::meshMover::displacementSolver()
+{
+    if (!isA<displacementMotionSolver>(solver_()))
+    {
+        FatalIOErrorInFunction(solver_())
+            << "The motion solver " << solver_->type()
+            << " is not a displacement solver" << nl
+            << "    Coupled runs need one that moves the mesh by "
+            << "pointDisplacement, such as inverseDistance" << nl
+            << "    or displacementLaplacian" << exit(FatalIOError);
+    }
+    return refCast<displacementMotionSolver>(solver_());
+}
+
+
+const Foam::pointField& Foam::meshMover::points0()
+{
+    return displacementSolver().points0();
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::meshMover::displacement
+(
+    const feMesh& mesh,
+    const interfaceNodes& nodes,
+    const vectorField& values
+)
+{
+    displacementMotionSolver& solver = displacementSolver();
+    pointVectorField& field = solver.pointDisplacement();
+
+    forAll(nodes.patches(), i)
+    {
+        const fePatch& patch = *nodes.patches()[i];
+        auto& pf = field.boundaryFieldRef()[patch.index];
+        if (!isA<valuePointPatchField<vector>>(pf))
+        {
+            FatalErrorInFunction
+                << "pointDisplacement has type " << pf.type()
+                << " on the interface patch " << patch.name << " ("
+                << field.objectPath() << ")" << nl
+                << "    It must be fixedValue, so that the coupling can set it"
+                << exit(FatalError);
+        }
+
+        auto& pointValues = refCast<valuePointPatchField<vector>>(pf);
+        const labelList& points = pf.patch().meshPoints();
+        forAll(points, j)
+        {
+            const label node = mesh.nodeOfPoint()[points[j]];
+            pointValues[j] = values[findLower(nodes.nodes(), node + 1)];
+        }
+    }
+
+    solver.solve();
+    return solver.curPoints() - solver.points0();
+}

@@ -1,0 +1,202 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "fluidShellCoupling.H"
+#include "gasAlone.H"
+#include "oneWay.H"
+#include "twoWay.H"
+#include "shellModelSide.H"
+#include "dictionaryCheck.H"
+
+namespace
+{
+
+bool present(const Foam::word& name, const Foam::Time& time)
+{
+    return Foam::IOobject
+    (
+        name,
+        time.constant(),
+        time,
+        Foam::IOobject::MUST_READ,
+        Foam::IOobject::NO_WRITE,
+        false
+    ).typeHeaderOk<Foam::IOdictionary>(false);
+}
+
+} // End namespace
+
+
+Foam::autoPtr<Foam::fluidShellCoupling> Foam::fluidShellCoupling::New
+(
+    Time& time,
+    polyMesh& mesh,
+    taylorGalerkinGas& gas
+)
+{
+    if (!present("couplingProperties", time))
+    {
+        if (present("shellProperties", time))
+        {
+            FatalErrorInFunction
+                << "The case has constant/shellProperties, but no "
+                << "constant/couplingProperties" << nl
+                << "    Add it, with coupling none, oneWay or twoWay"
+                << exit(FatalError);
+        }
+        return autoPtr<fluidShellCoupling>(new gasAlone(time, mesh, gas));
+    }
+
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "couplingProperties",
+            time.constant(),
+            time,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    checkKeywords
+    (
+        dict,
+        {
+            "coupling", "patches", "subCycles", "loadTransfer", "pRef",
+            "mapTolerance"
+        }
+    );
+    const label choice =
+        selectEntry(dict, "coupling", {"none", "oneWay", "twoWay"});
+
+    if (choice == 0)
+    {
+        return autoPtr<fluidShellCoupling>(new gasAlone(time, mesh, gas));
+    }
+
+    autoPtr<shellSide> shell(new shellModelSide(time));
+    fluidShellCoupling* coupling = nullptr;
+    if (choice == 1)
+    {
+        coupling = new oneWay(time, mesh, gas, std::move(shell), dict);
+    }
+    else
+    {
+        coupling = new twoWay(time, mesh, gas, std::move(shell), dict);
+    }
+    return autoPtr<fluidShellCoupling>(coupling);
+}
+
+
+Foam::fluidShellCoupling::fluidShellCoupling
+(
+    Time& time,
+    polyMesh& mesh,
+    taylorGalerkinGas& gas,
+    const label subCycles
+)
+:
+    time_(time),
+    mesh_(mesh),
+    gas_(gas),
+    subCycles_(subCycles),
+    nGasSteps_(0),
+    nLastSteps_(0),
+    courantMax_(0)
+{}
+
+
+bool Foam::fluidShellCoupling::adjustTimeStep() const
+{
+    return time_.controlDict().getOrDefault<Switch>("adjustTimeStep", false);
+}
+
+
+Foam::scalar Foam::fluidShellCoupling::maxCo() const
+{
+    const scalar value =
+        time_.controlDict().getOrDefault<scalar>("maxCo", 0.5);
+    if (value <= 0 || value > 1)
+    {
+        FatalIOErrorInFunction(time_.controlDict())
+            << "maxCo is " << value << ", but must be in (0, 1]"
+            << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+void Foam::fluidShellCoupling::setDeltaT()
+{
+    const stableStep& stable = gas_.stable();
+    scalar dt = time_.deltaTValue();
+
+    if (adjustTimeStep())
+    {
+        const scalar wanted = min
+        (
+            subCycles_*maxCo()*stable.deltaT,
+            time_.controlDict().getOrDefault<scalar>("maxDeltaT", GREAT)
+        );
+
+        // Growth is damped as in OpenFOAM's setDeltaT
+        dt = time_.timeIndex() == time_.startTimeIndex()
+          ? wanted : min(wanted, 1.2*dt);
+
+        // Reach the end time in even steps
+        const scalar left = time_.endTime().value() - time_.value();
+        if (left > 0)
+        {
+            dt = left/std::ceil(left/dt - 1e-6);
+        }
+        time_.setDeltaT(dt);
+
+        // Reaching a write time may have lengthened the step past the end
+        if (time_.deltaTValue() > left)
+        {
+            time_.setDeltaT(left, false);
+        }
+        dt = time_.deltaTValue();
+    }
+
+    Info<< "Courant Number mean: "
+        << stable.meanConvection*dt/subCycles_ << " max: "
+        << stable.maxConvection*dt/subCycles_ << nl
+        << "deltaT = " << dt << endl;
+}
+
+
+void Foam::fluidShellCoupling::report()
+{
+    const gasExtrema e = gas_.extrema();
+    const scalar done =
+        (time_.value() - time_.startTime().value())
+       /(time_.endTime().value() - time_.startTime().value());
+
+    Info<< "Gas: " << nLastSteps_ << " step(s), "
+        << courantMax_ << " of the stable step; p " << e.minP << " to "
+        << e.maxP << " Pa, T " << e.minT << " to " << e.maxT << " K, rho "
+        << e.minRho << " to " << e.maxRho << nl
+        << "Progress: " << 100*done << " %, remaining "
+        << times_.elapsed()*(1 - done)/max(done, SMALL) << " s" << endl;
+
+    if (courantMax_ > 1)
+    {
+        WarningInFunction
+            << "A gas step was " << courantMax_ << " times the stable step: "
+            << "use a smaller deltaT, more subCycles, or adjustTimeStep"
+            << endl;
+    }
+}
+
+
+void Foam::fluidShellCoupling::reportEnd()
+{
+    const gasTotals totals = gas_.totals();
+    Info<< nl << "Gas at the end: mass " << totals.mass << " kg, momentum "
+        << totals.momentum << " kg m/s, energy " << totals.energy << " J"
+        << endl;
+    times_.report(gas_.mesh().nNodes(), nGasSteps_);
+}
