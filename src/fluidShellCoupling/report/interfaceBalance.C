@@ -23,9 +23,10 @@ Foam::interfaceBalance::interfaceBalance(const Time& runTime)
     file_.reset(new OFstream(folder/"balance.dat"));
     file_()
         << "# Balance at the interface of gas and shell, SI units" << nl
-        << "# time forceGas(x y z) forceShell(x y z) impulse(x y z) "
-        << "workGas workShell" << endl;
-    file_().precision(12);
+        << "# time forceGas_x forceGas_y forceGas_z"
+        << " forceShell_x forceShell_y forceShell_z"
+        << " impulse_x impulse_y impulse_z workGas workShell" << endl;
+    file_().precision(16);
 }
 
 
