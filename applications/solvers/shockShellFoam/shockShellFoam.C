@@ -61,8 +61,7 @@ int main(int argc, char *argv[])
         coupling->advance();
         coupling->report();
 
-        gas->updateFields();
-        runTime.write();
+        coupling->write();
         runTime.printExecutionTime(Info);
     }
 

@@ -168,6 +168,16 @@ void Foam::fluidShellCoupling::setDeltaT()
 }
 
 
+void Foam::fluidShellCoupling::write()
+{
+    gas_.updateFields();
+    if (willWrite())
+    {
+        time_.writeNow();
+    }
+}
+
+
 void Foam::fluidShellCoupling::report()
 {
     const gasExtrema e = gas_.extrema();

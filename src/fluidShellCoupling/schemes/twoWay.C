@@ -86,7 +86,7 @@ void Foam::twoWay::advance()
         }
     );
 
-    if (time_.writeTime())
+    if (willWrite())
     {
         phaseTimes::timer timer(times_, phaseTimes::meshMotion);
         mover_.move(mover_.points0() + endDisplacement_);
