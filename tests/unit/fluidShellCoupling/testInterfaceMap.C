@@ -2,8 +2,8 @@
   shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
-// The map between gas nodes and shell: what its transpose must keep, and what it
-// must refuse
+// The map between gas nodes and shell: what its transpose must keep, and what
+// it must refuse
 
 #include "Constraints.hpp"
 #include "StructuredMesh.hpp"
@@ -141,7 +141,10 @@ TEST(InterfaceMap, rigidMotionIsReproduced)
 
     // Rotation about z by 0.7 and a translation, on positions and directors
     const double c = std::cos(0.7), s = std::sin(0.7);
-    auto turn = [&](double x, double y) { return vector(c*x - s*y, s*x + c*y, 0); };
+    auto turn = [&](double x, double y)
+    {
+        return vector(c*x - s*y, s*x + c*y, 0);
+    };
     const vector shift(0.3, -0.2, 0.5);
 
     positionalShell::Vector q = model.initialState().position;
