@@ -11,9 +11,11 @@ template<int dim>
 Foam::sourceTree<dim>::sourceTree
 (
     const pointField& positions,
-    const scalarField& strengths
+    const scalarField& strengths,
+    const label leafSize
 )
 :
+    leafSize_(leafSize),
     order_(identity(positions.size())),
     positions_(positions.size()),
     strengths_(strengths)
@@ -71,7 +73,7 @@ Foam::label Foam::sourceTree<dim>::addCluster
     clusters_.append(c);
 
     // Points that coincide would never get into different halves
-    if (c.size() > leafSize && c.radius > 0)
+    if (c.size() > leafSize_ && c.radius > 0)
     {
         const label middle = halve(begin, end);
         const label first = addCluster(begin, middle);

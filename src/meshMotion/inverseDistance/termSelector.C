@@ -11,10 +11,11 @@ void Foam::termSelector<dim>::start(const coordinates& x)
 {
     x_ = x;
     candidates_.clear();
+    clearSums();
     movingExpanded_.clear();
     movingSummed_.clear();
     nFixedTerms_ = 0;
-    weight_ = bound_ = 0;
+    weight_ = 0;
 
     for (const bool isMoving : {true, false})
     {
@@ -24,7 +25,8 @@ void Foam::termSelector<dim>::start(const coordinates& x)
         }
         if (tolerance_ > 0)
         {
-            candidates_.append(makeCandidate(0, isMoving));
+            // Open at first what must not be expanded at all
+            open(0, isMoving, 0.5*VGREAT);
         }
         else
         {
@@ -35,68 +37,70 @@ void Foam::termSelector<dim>::start(const coordinates& x)
 
 
 template<int dim>
-typename Foam::termSelector<dim>::candidate
-Foam::termSelector<dim>::makeCandidate
-(
-    const label cluster,
-    const bool isMoving
-) const
+void Foam::termSelector<dim>::clearSums()
 {
-    candidate c;
-    c.cluster = cluster;
-    c.isMoving = isMoving;
-    c.low = -1;
-    c.error = side(isMoving).error(side(isMoving)[cluster], x_);
-    if (isMoving)
+    errorSum_ = lowSum_ = maxError_ = 0;
+}
+
+
+template<int dim>
+void Foam::termSelector<dim>::open
+(
+    const label clusteri,
+    const bool isMoving,
+    const scalar threshold
+)
+{
+    const attractor<dim>& a = side(isMoving);
+    const auto& cluster = a[clusteri];
+    if (cluster.isLeaf())
     {
-        // Moving points stand above and below the fraction's line
-        c.error *= 2;
+        sumPoints(clusteri, isMoving);
+        return;
     }
-    return c;
+
+    // Moving points stand above and below the fraction's line
+    const scalar error = (isMoving ? 2 : 1)*a.error(cluster, x_);
+    if (error <= threshold)
+    {
+        keep(candidate{error, a.low(cluster, x_), clusteri, isMoving});
+        return;
+    }
+    open(cluster.firstHalf, isMoving, threshold);
+    open(cluster.secondHalf, isMoving, threshold);
+}
+
+
+template<int dim>
+void Foam::termSelector<dim>::keep(const candidate& c)
+{
+    candidates_.append(c);
+    errorSum_ += c.error;
+    lowSum_ += c.low;
+    maxError_ = max(maxError_, c.error);
 }
 
 
 template<int dim>
 void Foam::termSelector<dim>::refine(const scalar threshold)
 {
-    refined_.clear();
-    errorSum_ = lowSum_ = maxError_ = 0;
-    for (const candidate& c : candidates_)
-    {
-        refine(c, threshold);
-    }
-    candidates_.swap(refined_);
-}
+    previous_.swap(candidates_);
+    candidates_.clear();
+    clearSums();
 
-
-template<int dim>
-void Foam::termSelector<dim>::refine
-(
-    const candidate& c,
-    const scalar threshold
-)
-{
-    const auto& cluster = side(c.isMoving)[c.cluster];
-    if (cluster.isLeaf())
+    for (const candidate& c : previous_)
     {
-        sumPoints(c.cluster, c.isMoving);
-        return;
-    }
-    if (c.error <= threshold)
-    {
-        refined_.append(c);
-        if (c.low < 0)
+        if (c.error <= threshold)
         {
-            refined_.last().low = side(c.isMoving).low(cluster, x_);
+            keep(c);
         }
-        errorSum_ += c.error;
-        lowSum_ += refined_.last().low;
-        maxError_ = max(maxError_, c.error);
-        return;
+        else
+        {
+            const auto& cluster = side(c.isMoving)[c.cluster];
+            open(cluster.firstHalf, c.isMoving, threshold);
+            open(cluster.secondHalf, c.isMoving, threshold);
+        }
     }
-
-    refine(makeCandidate(cluster.firstHalf, c.isMoving), threshold);
-    refine(makeCandidate(cluster.secondHalf, c.isMoving), threshold);
 }
 
 
@@ -140,30 +144,6 @@ void Foam::termSelector<dim>::finish()
 }
 
 
-template<int dim>
-void Foam::termSelector<dim>::preferPoints()
-{
-    label nWeights = movingExpanded_.size()*multipole<dim>::nTerms;
-    for (const label cluster : movingSummed_)
-    {
-        nWeights += moving_.tree().clusters()[cluster].size();
-    }
-    if (moving_.tree().size() > nWeights)
-    {
-        return;
-    }
-
-    for (const label cluster : movingExpanded_)
-    {
-        weight_ +=
-            moving_.summedWeight(cluster, x_)
-          - moving_.expandedWeight(cluster, x_);
-    }
-    movingExpanded_.clear();
-    movingSummed_ = labelList(1, Zero);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<int dim>
@@ -187,27 +167,20 @@ void Foam::termSelector<dim>::select(const coordinates& x)
 {
     start(x);
 
-    // Open first what must not be expanded at all
-    scalar threshold = 0.5*VGREAT;
-    while (true)
+    while (errorSum_ > tolerance_*(weight_ + lowSum_ - errorSum_))
     {
-        refine(threshold);
-        const scalar allowed = tolerance_*(weight_ + lowSum_ - errorSum_);
-        if (errorSum_ <= allowed)
-        {
-            break;
-        }
-
         // Far above the even share of what is allowed, so that few more are
-        // opened than needed; at least the worst, so that this ends
-        threshold = min
+        // opened than needed; below the worst, so that this ends
+        refine
         (
-            16*tolerance_*(weight_ + lowSum_)/candidates_.size(),
-            0.5*maxError_
+            min
+            (
+                16*tolerance_*(weight_ + lowSum_)/candidates_.size(),
+                0.5*maxError_
+            )
         );
     }
     finish();
-    preferPoints();
 }
 
 

@@ -16,13 +16,23 @@ Foam::treeOperator<dim>::treeOperator
     const inverseDistanceSettings& settings
 )
 :
-    moving_(moving.positions, moving.strengths, settings.e1)
+    // The points of a leaf take no more weights than their expansion
+    moving_
+    (
+        moving.positions,
+        moving.strengths,
+        settings.e1,
+        multipole<dim>::nTerms
+    )
 {
+    // Fixed points are summed once: the bounds of two clusters take about as
+    // long as so many points
     const attractor<dim> fixedPoints
     (
         fixed.positions,
         fixed.strengths,
-        settings.e2
+        settings.e2,
+        64
     );
     termSelector<dim> selector(moving_, fixedPoints, settings.tolerance);
 
@@ -53,7 +63,7 @@ void Foam::treeOperator<dim>::addRow
     const termSelector<dim>& chosen
 )
 {
-    const std::size_t begin = terms_.size();
+    const std::size_t firstTerm = terms_.size();
     for (const label clusteri : chosen.movingExpanded())
     {
         terms_.push_back(clusteri);
@@ -63,24 +73,19 @@ void Foam::treeOperator<dim>::addRow
         terms_.push_back(-1 - clusteri);
     }
 
-    const label n = nWeights(chosen);
-    row r = {target, terms_.size(), 1/chosen.weight()};
-    if (n <= maxStored)
+    const label n = nWeights(firstTerm);
+    const bool store = n <= maxStored;
+    if (store)
     {
-        std::size_t weighti = stored_.size();
-        stored_.resize(weighti + n);
-        for (std::size_t i = begin; i < r.end; ++i)
+        std::size_t end = stored_.size();
+        stored_.resize(end + n);
+        for (std::size_t i = firstTerm; i < terms_.size(); ++i)
         {
-            evaluate(terms_[i], target, stored_.data() + weighti);
-            weighti += columnsOf(terms_[i]).size;
+            evaluate(terms_[i], target, stored_.data() + end);
+            end += columnsOf(terms_[i]).size;
         }
-        for (weighti = stored_.size() - n; weighti < stored_.size(); ++weighti)
-        {
-            stored_[weighti] *= r.inverseWeight;
-        }
-        r.inverseWeight = 0;
     }
-    rows_.push_back(r);
+    rows_.push_back({target, terms_.size(), 1/chosen.weight(), store});
 
     statistics_.nWeights += n;
     statistics_.nFixedTerms += chosen.nFixedTerms();
@@ -91,13 +96,13 @@ void Foam::treeOperator<dim>::addRow
 template<int dim>
 Foam::label Foam::treeOperator<dim>::nWeights
 (
-    const termSelector<dim>& chosen
+    const std::size_t firstTerm
 ) const
 {
-    label n = chosen.movingExpanded().size()*multipole<dim>::nTerms;
-    for (const label clusteri : chosen.movingSummed())
+    label n = 0;
+    for (std::size_t i = firstTerm; i < terms_.size(); ++i)
     {
-        n += moving_[clusteri].size();
+        n += columnsOf(terms_[i]).size;
     }
     return n;
 }
@@ -157,15 +162,13 @@ void Foam::treeOperator<dim>::apply
     forAll(targetValues, k)
     {
         const row& r = rows_[k];
-        const bool isStored = r.inverseWeight == 0;
         coordinates sum(Zero);
-
         for (; termi < r.end; ++termi)
         {
             const columns block = columnsOf(terms_[termi]);
             const coordinates* value = values.cdata() + block.begin;
             const scalar* weight = stored;
-            if (isStored)
+            if (r.isStored)
             {
                 stored += block.size;
             }
@@ -187,7 +190,7 @@ void Foam::treeOperator<dim>::apply
         targetValues[k] = Zero;
         for (int a = 0; a < dim; ++a)
         {
-            targetValues[k][a] = isStored ? sum[a] : sum[a]*r.inverseWeight;
+            targetValues[k][a] = r.scale*sum[a];
         }
     }
 }

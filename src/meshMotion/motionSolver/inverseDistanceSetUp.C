@@ -297,7 +297,10 @@ Foam::attractingPoints Foam::inverseDistanceMotionSolver::makeAttractingPoints
 void Foam::inverseDistanceMotionSolver::report() const
 {
     const inverseDistanceStatistics& local = setUp_->weights->statistics();
-    const auto sum = [](const scalar x) { return returnReduce(x, sumOp<scalar>()); };
+    const auto sum = [](const scalar x)
+    {
+        return returnReduce(x, sumOp<scalar>());
+    };
     const scalar nTargets = max(sum(setUp_->targets.size()), scalar(1));
 
     Info<< "inverseDistance: " << label(nTargets) << " points follow "

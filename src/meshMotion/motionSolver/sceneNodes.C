@@ -40,7 +40,7 @@ bool before(const Foam::point& p, const Foam::point& q)
 Foam::sceneNodes::sceneNodes(const polyMesh& mesh, const pointField& points)
 :
     points_(points),
-    radialOnAxis_(Zero)
+    isWedge_(false)
 {
     findDirections(mesh);
     findNodes(mesh);
@@ -57,7 +57,7 @@ void Foam::sceneNodes::findDirections(const polyMesh& mesh)
         {
             const auto& wedge = refCast<const wedgePolyPatch>(patch);
             directions_.append(wedge.axis());
-            radialOnAxis_ = wedge.axis() ^ wedge.centreNormal();
+            isWedge_ = true;
             return;
         }
     }
@@ -125,17 +125,11 @@ Foam::vector Foam::sceneNodes::radial(const label pointi) const
     const vector fromAxis(p - axis*(axis & p));
     const scalar r = mag(fromAxis);
 
-    return r > SMALL*mag(p) ? vector(fromAxis/r) : radialOnAxis_;
+    return r > SMALL*mag(p) ? vector(fromAxis/r) : vector(Zero);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::label Foam::sceneNodes::dim() const
-{
-    return directions_.size() + (radialOnAxis_ == vector::zero ? 0 : 1);
-}
-
 
 Foam::vector Foam::sceneNodes::toScene
 (
@@ -148,7 +142,7 @@ Foam::vector Foam::sceneNodes::toScene
     {
         components[a] = directions_[a] & v;
     }
-    if (directions_.size() < dim())
+    if (isWedge_)
     {
         components[1] = radial(pointi) & v;
     }
@@ -167,7 +161,7 @@ Foam::vector Foam::sceneNodes::toMesh
     {
         v += components[a]*directions_[a];
     }
-    if (directions_.size() < dim())
+    if (isWedge_)
     {
         v += components[1]*radial(pointi);
     }

@@ -2,7 +2,7 @@
 //
 // The discrete shell: strain energy and its first two derivatives, constant mass,
 // and integrals of a state. Seven unknowns per node; motion (S2), strain (S5),
-// energy (S8), force (S10), tangent (S12), mass (S15).
+// energy (S8), force (S11), tangent (S13), mass (S15).
 //
 // Owns copies of mesh, sections and degree-of-freedom map. Nothing changes after
 // construction: const functions may be used from several threads.

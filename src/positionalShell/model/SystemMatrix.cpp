@@ -3,7 +3,6 @@
 #include "SystemMatrix.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace positionalShell
 {
@@ -55,7 +54,7 @@ void SystemMatrix::addSymmetricEntry
 {
     const bool twice = row != column
      && map_->equation(element, row) == map_->equation(element, column);
-    const int lower = map_->equation(element, row) 
+    const int lower = map_->equation(element, row)
         < map_->equation(element, column)
         ? map_->place(element, column, row)
         : map_->place(element, row, column);
@@ -127,29 +126,6 @@ const SparseMatrix& SystemMatrix::matrix() const
         whole[k] += general_[k];
     }
     return matrix_;
-}
-
-Vector SystemMatrix::absoluteRowSums(const Vector& columnWeights) const
-{
-    const SparseMatrix& pattern = map_->pattern();
-    Vector sums = Vector::Zero(pattern.rows());
-    for (int column = 0; column < pattern.cols(); ++column)
-    {
-        for
-        (
-            int k = pattern.outerIndexPtr()[column];
-            k < pattern.outerIndexPtr()[column + 1];
-            ++k
-        )
-        {
-            const int row = pattern.innerIndexPtr()[k];
-            if (row < column) continue;
-            const double size = std::abs(values_[k]);
-            sums[row] += size*columnWeights[column];
-            if (row > column) sums[column] += size*columnWeights[row];
-        }
-    }
-    return sums;
 }
 
 } // namespace positionalShell

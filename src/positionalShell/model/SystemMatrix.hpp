@@ -60,9 +60,6 @@ public:
     //  refers to the same storage as matrix()
     const SparseMatrix& lower() const;
 
-    //- Row sums of absolute values, each column weighted. Needs no upper half.
-    Vector absoluteRowSums(const Vector& columnWeights) const;
-
 private:
 
     std::shared_ptr<const SparsityMap> map_;

@@ -55,7 +55,7 @@ SurfaceLocator::SurfaceLocator(const ShellModel& model) : model_(model)
         const Eigen::Matrix<double, nodesPerElement, 3> hull = toBernstein()*X;
         Sphere sphere;
         sphere.centre = hull.colwise().mean().transpose();
-        sphere.radius = 
+        sphere.radius =
             (hull.rowwise() - sphere.centre.transpose()).rowwise().norm()
            .maxCoeff();
         spheres_.push_back(sphere);

@@ -2,10 +2,11 @@
 //
 // Newton-Raphson for equilibrium, (S22)-(S24). Converged when
 //   - the residual of each kind of unknown (position, director, thickness
-//     strain) is within residualTolerance of its force scale, or at the round-off
-//     level of the internal force, and
+//     strain) is within residualTolerance of its force scale, and
 //   - the last increment of positions over the length scale of the mesh, of g and
-//     of a, is within incrementTolerance.
+//     of a, is within incrementTolerance;
+// or when the last increment is round-off, (S25): the residual then cannot fall
+// any further, whatever its tolerance.
 // Never throws for lack of convergence: the report says so, and why.
 
 #ifndef positionalShell_Newton_hpp
@@ -38,7 +39,7 @@ struct NewtonOptions
     //- A new tangent is made when the observed rate of convergence with the kept
     //  one predicts more further iterations than this: about what a new tangent
     //  costs, in iterations
-    int keptIterations = 6;
+    int keptIterations = 10;
 };
 
 //- Norms of the three kinds of unknowns
@@ -92,11 +93,8 @@ public:
     //  by kind, the largest norm of its contributions
     virtual void residual(Vector& full, KindNorms& scale) = 0;
 
-    //- K = dU/dq derivative, nothing else: round-off is judged by it
-    virtual void elasticTangent(SystemMatrix& K) = 0;
-
-    //- K += what else depends on the guess: inertia, damping, followers
-    virtual void addOtherTangent(SystemMatrix& K) = 0;
+    //- K += minus d(residual)/dq
+    virtual void addTangent(SystemMatrix& K) = 0;
 
     //- Move the guess by an increment of the equations
     virtual void move(const Vector& increment) = 0;
@@ -123,10 +121,10 @@ private:
     LinearSolver linear_;
     std::unique_ptr<SystemMatrix> matrix_;
     bool factorsUsable_ = false;
-    KindNorms roundOff_;
 
     void makeTangent(EquilibriumProblem& problem);
     bool worthKeeping(const NewtonReport& report) const;
+    bool converged(const NewtonReport& report, double roundOff) const;
 };
 
 } // namespace positionalShell

@@ -46,13 +46,9 @@ public:
         full -= internal;
     }
 
-    void elasticTangent(SystemMatrix& K) override
+    void addTangent(SystemMatrix& K) override
     {
         model_.addTangent(q_, K);
-    }
-
-    void addOtherTangent(SystemMatrix& K) override
-    {
         for (const LoadPtr& load : loads_)
         {
             if (load->dependsOnPosition())

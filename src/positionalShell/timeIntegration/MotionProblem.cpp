@@ -91,13 +91,9 @@ void MotionProblem::residual(Vector& full, KindNorms& scale)
     full = external_ - internal - inertia;
 }
 
-void MotionProblem::elasticTangent(SystemMatrix& K)
+void MotionProblem::addTangent(SystemMatrix& K)
 {
     model_.addTangent(end_.position, K);
-}
-
-void MotionProblem::addOtherTangent(SystemMatrix& K)
-{
     model_.addMass((1/dt_ + gamma_*damping_)/(beta_*dt_), K);
     for (const LoadPtr& load : loads_)
     {

@@ -29,8 +29,7 @@ public:
     const ShellModel& model() const override { return model_; }
     const Vector& position() const override { return end_.position; }
     void residual(Vector& full, KindNorms& scale) override;
-    void elasticTangent(SystemMatrix& K) override;
-    void addOtherTangent(SystemMatrix& K) override;
+    void addTangent(SystemMatrix& K) override;
     void move(const Vector& increment) override;
 
     const ShellState& endState() const { return end_; }

@@ -68,7 +68,7 @@ void Newmark::initialise
     require
     (
         state.position.size() == n,
-        "the position of the initial state has " 
+        "the position of the initial state has "
       + std::to_string(state.position.size()) + " values, not "
       + std::to_string(n)
     );

@@ -47,7 +47,8 @@ public:
         }
     }
 
-    void elasticTangent(SystemMatrix& K) override
+    // Loads do no work on a
+    void addTangent(SystemMatrix& K) override
     {
         model_.addTangent(q_, K);
         K.decouple
@@ -55,9 +56,6 @@ public:
             [this](int equation) { return !model_.massless(equation); }
         );
     }
-
-    // Loads do no work on a
-    void addOtherTangent(SystemMatrix&) override {}
 
     void move(const Vector& increment) override
     {

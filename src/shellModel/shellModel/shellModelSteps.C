@@ -57,16 +57,19 @@ void Foam::shellModel::stopAfterStep
     const scalar t = now_.state.time;
     const word timeName(Time::timeName(t));
 
-    if (now_.account)
+    // The start of a run is on disk or is the state of rest
+    string lastGood("the start of this run");
+    if (nSteps_ > 0)
     {
         writeState(timeName);
+        lastGood = "written to " + timeName + "/shell";
     }
 
     FatalErrorInFunction
         << "The shell's step from time " << t << " to " << t + dt
         << " failed:" << nl
         << problem.c_str() << nl
-        << "    The last good state is in " << timeName << "/shell" << nl
+        << "    The last good state is " << lastGood.c_str() << nl
         << "    Reduce deltaT in system/controlDict"
         << (dynamic_ ? "" : " (the load step)")
         << "; if the residual was still falling, raise maxIterations in"
@@ -142,11 +145,7 @@ void Foam::shellModel::advance
 
     if (!step.converged)
     {
-        stopAfterStep
-        (
-            dt,
-            step.report.message + "\n" + step.report.describe()
-        );
+        stopAfterStep(dt, step.report.describe());
     }
 
     now_.account->add(step);

@@ -10,6 +10,7 @@ Foam::gasGeometry<dim>::gasGeometry(feMesh& mesh)
 :
     mesh_(mesh),
     moving_(false),
+    hasMoved_(false),
     areas_(mesh.nSimplices()),
     volume_(mesh.nSimplices()),
     inverseHeight_(mesh.nSimplices()),
@@ -70,6 +71,11 @@ template<int dim>
 void Foam::gasGeometry<dim>::begin()
 {
     moving_ = false;
+    if (hasMoved_)
+    {
+        std::fill(w_.begin(), w_.end(), Vec::Zero());
+        hasMoved_ = false;
+    }
 }
 
 
@@ -81,6 +87,7 @@ void Foam::gasGeometry<dim>::begin
 )
 {
     moving_ = true;
+    hasMoved_ = true;
     newNodes_ = newNodes;
     stepAreas_.resize(nSimplices());
     newVolume_.resize(nSimplices());

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "BodyForce.hpp"
+#include "EdgeLoad.hpp"
+#include "FollowerPressure.hpp"
+#include "NodalLoad.hpp"
+#include "ShellTestModels.hpp"
+#include "SurfaceTraction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+using namespace shellTest;
+
+namespace
+{
+
+Vec3 resultant(const Vector& force)
+{
+    Vec3 sum = Vec3::Zero();
+    for (Eigen::Index i = 0; i < force.size(); i += dofsPerNode) sum += force.segment<3>(i);
+    return sum;
+}
+
+//- About the origin, with what the directors carry
+Vec3 moment(const Vector& q, const Vector& force)
+{
+    Vec3 sum = Vec3::Zero();
+    for (Eigen::Index i = 0; i < force.size(); i += dofsPerNode)
+    {
+        sum += Vec3(q.segment<3>(i)).cross(Vec3(force.segment<3>(i)));
+        sum += Vec3(q.segment<3>(i + 3)).cross(Vec3(force.segment<3>(i + 3)));
+    }
+    return sum;
+}
+
+Vector forceOf(const Load& load, const ShellModel& model, const Vector& q, double t = 0)
+{
+    Vector f = Vector::Zero(q.size());
+    load.addForce(model, q, t, f);
+    return f;
+}
+
+struct Patch
+{
+    ShellMesh mesh = curvedPatch();
+    ShellModel model
+    {
+        mesh, {{"all", 0.1, material(3, 0.3, 2)}}, Constraints(mesh).dofMap()
+    };
+};
+
+} // namespace
+
+TEST(Loads, nodalLoadIsWhatItSays)
+{
+    const Patch patch;
+    const NodalLoad load
+    (
+        patch.model, "uMax", {1, 2, 3}, linearInTime(0, 2), {0.1, 0.2, 0.3}
+    );
+    const Vector f = forceOf(load, patch.model, patch.mesh.initialPositions(), 1.5);
+    EXPECT_LT((resultant(f) - 4*3*Vec3(1, 2, 3)).norm(), 1e-13);
+    const int node = patch.mesh.nodeSet("uMax")[2];
+    EXPECT_LT((f.segment<3>(7*node + 3) - 3*Vec3(0.1, 0.2, 0.3)).norm(), 1e-15);
+    EXPECT_EQ(f.segment<7>(7*patch.mesh.nodeSet("uMin")[0]).norm(), 0);
+    EXPECT_FALSE(load.dependsOnPosition());
+}
+
+TEST(Loads, edgeLoadHasTheResultantOfTheEdge)
+{
+    // A quarter of a circle of radius 2: length pi up to the cubic interpolation
+    const ShellMesh mesh = structuredMesh
+    (
+        4, 1,
+        [](double u, double v) -> Vec3
+        {
+            const double angle = 0.5*std::acos(-1.0)*u;
+            return {(2 + v)*std::cos(angle), -(2 + v)*std::sin(angle), 0};
+        }
+    );
+    const ShellModel model(mesh, {{"all", 0.1, material(3, 0.3)}}, Constraints(mesh).dofMap());
+    const EdgeLoad load(model, "vMin", {0, 0, 5}, constant(1), {1, 0, 0});
+    const Vector f = forceOf(load, model, mesh.initialPositions());
+    EXPECT_NEAR(resultant(f)[2], 5*std::acos(-1.0), 1e-4);
+    // First moment of a quarter circle: radius^2; director force x on directors z
+    EXPECT_NEAR(moment(mesh.initialPositions(), f)[1], -5*4 + std::acos(-1.0), 1e-3);
+    EXPECT_NE
+    (
+        errorOf([&] { EdgeLoad(model, "uMinVMin", {0, 0, 1}); }).find("no whole edge"),
+        std::string::npos
+    );
+}
+
+TEST(Loads, tractionAndDeadPressureHaveTheirResultants)
+{
+    const Patch patch;
+    const Vector q = patch.mesh.initialPositions();
+    const double area = patch.model.area(q);
+    const SurfaceTraction traction(patch.model, "all", {1, -2, 0.5});
+    EXPECT_LT
+    (
+        (resultant(forceOf(traction, patch.model, q)) - area*Vec3(1, -2, 0.5)).norm(), 1e-13
+    );
+
+    // A plate: pressure on the upper face pushes down
+    const ShellMesh plate = rectangleMesh(2, 1, Vec3::Zero(), {2, 0, 0}, {0, 1, 0});
+    const ShellModel model(plate, {{"all", 0.1, material(3, 0.3)}}, Constraints(plate).dofMap());
+    const auto pressure = SurfaceTraction::deadPressure(model, "all", 3);
+    const Vector f = forceOf(*pressure, model, plate.initialPositions());
+    EXPECT_LT((resultant(f) - Vec3(0, 0, -6)).norm(), 1e-13);
+    EXPECT_LT((moment(plate.initialPositions(), f) - Vec3(-3, 6, 0)).norm(), 1e-13);
+}
+
+TEST(Loads, bodyForceIsMassTimesAcceleration)
+{
+    const Patch patch;
+    const Vector q = patch.mesh.initialPositions();
+    const Vec3 g(0.1, 0.2, -9.81);
+    const Vector f = forceOf(BodyForce(patch.model, g), patch.model, q);
+    const double m = patch.model.totalMass();
+    EXPECT_LT((resultant(f) - m*g).norm(), 1e-13*m*g.norm());
+    EXPECT_LT
+    (
+        (moment(q, f) - m*patch.model.centreOfMass(q).cross(g)).norm(), 1e-13*m*g.norm()
+    );
+}
+
+// At the initial state a follower is the dead pressure
+TEST(Loads, followerPressureStartsAsDeadPressure)
+{
+    const Patch patch;
+    const Vector q = patch.mesh.initialPositions();
+    const Vector dead =
+        forceOf(*SurfaceTraction::deadPressure(patch.model, "all", 3), patch.model, q);
+    const Vector follower = forceOf(FollowerPressure(patch.model, "all", 3), patch.model, q);
+    EXPECT_LT((dead - follower).norm(), 1e-13*dead.norm());
+}
+
+// Uniform pressure on a closed surface has no resultant; on an open one the resultant
+// depends on the rim only. Turning the body turns the force.
+TEST(Loads, followerPressureFollows)
+{
+    const Patch patch;
+    const FollowerPressure load(patch.model, "all", 3);
+    const Eigen::Matrix3d R =
+        Eigen::AngleAxisd(1.2, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+    const Vector q = randomState(patch.mesh, 0.05, 3);
+    Vector turned = q;
+    for (Eigen::Index i = 0; i < q.size(); i += dofsPerNode)
+    {
+        turned.segment<3>(i) = R*q.segment<3>(i);
+        turned.segment<3>(i + 3) = R*q.segment<3>(i + 3);
+    }
+    const Vec3 before = resultant(forceOf(load, patch.model, q));
+    const Vec3 after = resultant(forceOf(load, patch.model, turned));
+    EXPECT_LT((after - R*before).norm(), 1e-12*before.norm());
+
+    Vector dented = q;
+    std::vector<bool> rim(patch.mesh.nNodes(), false);
+    for (const char* edge : {"uMin", "uMax", "vMin", "vMax"})
+    {
+        for (int node : patch.mesh.nodeSet(edge)) rim[node] = true;
+    }
+    for (int i = 0; i < patch.mesh.nNodes(); ++i)
+    {
+        if (!rim[i]) dented.segment<3>(7*i) += 0.1*randomVector(3, i);
+    }
+    EXPECT_GT((dented - q).norm(), 0.1);
+    EXPECT_LT
+    (
+        (resultant(forceOf(load, patch.model, dented)) - before).norm(), 1e-12*before.norm()
+    );
+}
+
+TEST(Loads, followerTangentIsMinusTheDerivativeOfTheForce)
+{
+    const Patch patch;
+    for (double face : {0.0, 1.0, -1.0})
+    {
+        const FollowerPressure load(patch.model, "all", 3, linearInTime(1, 1), face);
+        ASSERT_TRUE(load.dependsOnPosition());
+        const Vector q = randomState(patch.mesh, 0.1, 5);
+        const Vector d = randomVector(q.size(), 6);
+        const Vector dF = polynomialDerivative<Vector>
+        (
+            [&](double s) -> Vector { return forceOf(load, patch.model, q + s*d, 0.5); }
+        );
+        SystemMatrix K = patch.model.makeMatrix();
+        load.addTangent(patch.model, q, 0.5, 2, K);
+        EXPECT_FALSE(K.symmetric());
+        EXPECT_LT((K.matrix()*d + 2*dF).norm(), 1e-11*dF.norm()) << "face " << face;
+    }
+}
+
+// On a face the pressure does the work of the face's motion
+TEST(Loads, pressureOnAFaceUsesItsLeverArm)
+{
+    const ShellMesh plate = rectangleMesh(1, 1, Vec3::Zero(), {1, 0, 0}, {0, 1, 0});
+    const ShellModel model(plate, {{"all", 0.2, material(3, 0.3)}}, Constraints(plate).dofMap());
+    const Vector q = plate.initialPositions();
+    const Vector f = forceOf(FollowerPressure(model, "all", 3, constant(1), 1), model, q);
+    // Thickness change: all directors grow together, the upper face moves by h/2
+    Vector swell = Vector::Zero(q.size());
+    for (int i = 0; i < plate.nNodes(); ++i) swell[7*i + 5] = 1;
+    EXPECT_NEAR(f.dot(swell), -3*0.1, 1e-14);
+}

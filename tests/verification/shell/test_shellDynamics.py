@@ -1,0 +1,102 @@
+"""Clamped strip under a sudden load, large displacements, and its restart."""
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from foamCase import FoamCase
+from shellFiles import readSeries, readState
+
+HERE = Path(__file__).resolve().parent
+TRACTION = "type        traction;\n        traction    (0 0 0.4);"
+PRESSURE = "type followerPressure; pressure -0.4;"
+
+
+def strip(folder):
+    case = FoamCase(HERE / "cases" / "dynamicStrip", folder)
+    case.run("blockShell")
+    return case
+
+
+def readTable(name):
+    lines = (HERE / "reference" / name).read_text().splitlines()
+    lines = [line for line in lines if not line.startswith("#")]
+    return np.genfromtxt(lines, delimiter=",", names=True)
+
+
+@pytest.mark.parametrize("load", ["dead", "follower"])
+def test_strip_moves_as_a_geometrically_exact_beam(tmp_path, load):
+    """Tip within 0.5 % of the greatest deflection at every time up to the
+    first peak and beyond."""
+    case = strip(tmp_path / "strip")
+    if load == "follower":
+        path = case.path / "constant" / "shellProperties"
+        text = path.read_text()
+        assert TRACTION in text
+        path.write_text(text.replace(TRACTION, PRESSURE))
+    case.run("positionalShellFoam")
+
+    names, rows = case.history("tip/0/displacement.dat")
+    table = readTable(f"dyn_D1_strip_{load}_beam2d.csv")
+    table = table[table["t"] <= rows[-1, 0]]
+    for column, reference in (
+        ("displacement_x", "u_tip"), ("displacement_z", "w_tip"),
+    ):
+        computed = np.interp(
+            table["t"], np.insert(rows[:, 0], 0, 0),
+            np.insert(rows[:, names.index(column)], 0, 0),
+        )
+        assert abs(computed - table[reference]).max() <= 0.005*7.3
+
+
+def test_restart_continues_as_if_it_had_not_stopped(tmp_path):
+    whole = strip(tmp_path / "whole")
+    whole.run("positionalShellFoam")
+
+    parts = strip(tmp_path / "parts")
+    parts.set("system/controlDict", "endTime", "0.2")
+    parts.run("positionalShellFoam", log="log.first")
+    parts.set("system/controlDict", "endTime", "0.3")
+    log = parts.run("positionalShellFoam", log="log.second")
+    assert "continues from the state in 0.2/shell" in log
+
+    # The state, and with it the forces that made it
+    one, two = readState(whole, "0.3"), readState(parts, "0.3")
+    for name, values in one.items():
+        scale = max(abs(values).max(), 1e-30)
+        assert abs(values - two[name]).max() <= 1e-12*scale, name
+
+    # The history, to the last digit written
+    _, rows = whole.history("tip/0/displacement.dat")
+    _, first = parts.history("tip/0/displacement.dat")
+    _, second = parts.history("tip/0.2/displacement.dat")
+    assert first[-1, 0] < second[0, 0]
+    np.testing.assert_allclose(
+        np.vstack((first, second)), rows, rtol=1e-12, atol=1e-13
+    )
+
+    # The account of energies goes on, the VTK series too
+    assert endReport(parts, "log.second") == endReport(whole)
+    assert (
+        readSeries(parts.path / "VTK" / "shell.pvd")
+        == readSeries(whole.path / "VTK" / "shell.pvd")
+    )
+
+
+def endReport(case, log="log.positionalShellFoam"):
+    """Energies at the end, as printed; not the mismatch: that is round-off
+    and the error of the trapezoidal rule."""
+    text = (case.path / log).read_text().split("Shell energies [J]")[1]
+    return text.split("mismatch")[0]
+
+
+def test_restart_with_another_mesh_is_an_error(tmp_path):
+    case = strip(tmp_path / "strip")
+    case.set("system/controlDict", "endTime", "0.1")
+    case.run("positionalShellFoam")
+    case.set("system/blockShellDict", "divisions", "(4 1)")
+    case.run("blockShell")
+    log = case.run("positionalShellFoam", check=False)
+    assert case.exitCode != 0
+    assert '0.1/shell/position" holds 100 values' in log
+    assert "the shell mesh has 52 nodes" in log
