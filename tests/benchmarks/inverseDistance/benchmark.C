@@ -137,7 +137,8 @@ int main(int argc, char* argv[])
         std::printf
         (
             "Per point: weights of an application, terms of the fixed points, "
-            "bytes.\nsetup, apply: processor time over that of the direct sum. error:\n"
+            "bytes.\n"
+            "setup, apply: processor time over that of the direct sum. error:\n"
             "largest of a smooth motion over its largest displacement;\n"
             "bound: what it cannot exceed.\n\n"
             "%3s %8s %7s %7s %9s %8s %7s %6s %6s %6s %8s %8s\n",
