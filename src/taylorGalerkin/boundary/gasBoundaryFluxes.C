@@ -57,6 +57,34 @@ void Foam::gasBoundary<dim>::addWallFluxes
 
 
 template<int dim>
+template<class NodeFlux>
+void Foam::gasBoundary<dim>::addFacetFlux
+(
+    const fePatch& patch,
+    const label facei,
+    const NodeFlux& nodeFlux,
+    const double dt,
+    std::vector<State>& residual
+) const
+{
+    const label* nodes = &patch.facets[dim*facei];
+    const Vec S = geometry_.facetArea(patch, facei)/(dim*(dim + 1));
+
+    State sum = State::Zero();
+    State own[dim];
+    for (int b = 0; b < dim; ++b)
+    {
+        own[b] = nodeFlux(nodes[b], S);
+        sum += own[b];
+    }
+    for (int a = 0; a < dim; ++a)
+    {
+        residual[nodes[a]] -= dt*(sum + own[a]);
+    }
+}
+
+
+template<int dim>
 void Foam::gasBoundary<dim>::addFarFieldFluxes
 (
     const gasState<dim>& state,
@@ -67,28 +95,45 @@ void Foam::gasBoundary<dim>::addFarFieldFluxes
     forAll(farField_, patchi)
     {
         const fePatch& patch = *farField_[patchi];
+        auto flux = [&](const label node, const Vec& S)
+        {
+            return gasDynamics::hllcFlux<dim>
+            (
+                eos_,
+                state.U[node],
+                outer_[patchi][findLower(patch.nodes, node + 1)],
+                S,
+                nodeVelocity(node)
+            );
+        };
         forAll(patch.facetSimplex, i)
         {
-            const Vec S = geometry_.facetArea(patch, i)/(dim*(dim + 1));
-            State sum = State::Zero();
-            State own[dim];
-            for (int b = 0; b < dim; ++b)
-            {
-                const label node = patch.facets[dim*i + b];
-                const label local = findLower(patch.nodes, node + 1);
-                const Vec w =
-                    geometry_.moving()
-                  ? Vec(geometry_.w(node)) : Vec(Vec::Zero());
-                own[b] = gasDynamics::hllcFlux<dim>
-                (
-                    eos_, state.U[node], outer_[patchi][local], S, w
-                );
-                sum += own[b];
-            }
-            for (int a = 0; a < dim; ++a)
-            {
-                residual[patch.facets[dim*i + a]] -= dt*(sum + own[a]);
-            }
+            addFacetFlux(patch, i, flux, dt, residual);
+        }
+    }
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::addOpenFluxes
+(
+    const gasState<dim>& state,
+    const double dt,
+    std::vector<State>& residual
+) const
+{
+    auto flux = [&](const label node, const Vec& S)
+    {
+        return gasDynamics::fluxThrough<dim>
+        (
+            state.U[node], state.p[node], S, nodeVelocity(node)
+        );
+    };
+    for (const fePatch* patch : open_)
+    {
+        forAll(patch->facetSimplex, i)
+        {
+            addFacetFlux(*patch, i, flux, dt, residual);
         }
     }
 }

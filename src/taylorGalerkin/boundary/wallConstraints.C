@@ -7,6 +7,8 @@
 #include "Map.H"
 #include "mathematicalConstants.H"
 
+#include <algorithm>
+
 template<int dim>
 Foam::wallConstraints<dim>::wallConstraints
 (
@@ -51,14 +53,11 @@ Foam::wallConstraints<dim>::wallConstraints
 
 
 template<int dim>
-typename Foam::wallConstraints<dim>::wallNode
-Foam::wallConstraints<dim>::constraintsOf(label index) const
+std::vector<typename Foam::wallConstraints<dim>::piece>
+Foam::wallConstraints<dim>::smoothPieces(const label index) const
 {
-    // A smooth piece of wall: its area vector and a point on it
-    struct piece { Vec area; Vec centre; int count; bool used; };
     const double sameWall =
         std::cos(featureAngle*constant::mathematical::pi/180);
-    const Vec x = geometry_.position(nodes_[index]);
 
     std::vector<piece> pieces;
     for (const labelPair& wf : facetsOfNode_[index])
@@ -72,56 +71,81 @@ Foam::wallConstraints<dim>::constraintsOf(label index) const
             centre += geometry_.position(patch.facets[dim*i + b])/dim;
         }
 
-        piece* home = nullptr;
-        for (piece& p : pieces)
-        {
-            if (p.area.normalized().dot(S.normalized()) > sameWall)
+        auto home = std::find_if
+        (
+            pieces.begin(), pieces.end(),
+            [&](const piece& p)
             {
-                home = &p;
-                break;
+                return p.area.normalized().dot(S.normalized()) > sameWall;
             }
-        }
-        if (home)
+        );
+        if (home == pieces.end())
         {
-            home->area += S;
-            home->centre += centre;
-            ++home->count;
+            pieces.push_back({S, centre, 1});
         }
         else
         {
-            pieces.push_back({S, centre, 1, false});
+            home->area += S;
+            home->centres += centre;
+            ++home->nFacets;
         }
     }
+    return pieces;
+}
 
-    // Merge pieces between which the gas turns through more than half a circle
+
+template<int dim>
+std::vector<typename Foam::wallConstraints<dim>::Vec>
+Foam::wallConstraints<dim>::constrainedNormals
+(
+    const Vec& x,
+    const std::vector<piece>& pieces
+)
+{
     std::vector<Vec> normals;
+    std::vector<bool> merged(pieces.size(), false);
     for (std::size_t i = 0; i < pieces.size(); ++i)
     {
-        if (pieces[i].used)
+        if (merged[i])
         {
             continue;
         }
         const Vec n = pieces[i].area.normalized();
-        Vec merged = n;
+        Vec mean = n;
         for (std::size_t j = i + 1; j < pieces.size(); ++j)
         {
-            const Vec away = pieces[j].centre/pieces[j].count - x;
+            // The other piece lies on the outer side of this one's plane: the
+            // gas turns through more than half a circle between them
+            const Vec away = pieces[j].centres/pieces[j].nFacets - x;
             if (away.dot(n) > 1e-3*away.norm())
             {
-                merged += pieces[j].area.normalized();
-                pieces[j].used = true;
+                mean += pieces[j].area.normalized();
+                merged[j] = true;
             }
         }
-        normals.push_back(merged);
+        normals.push_back(mean.normalized());
     }
+    return normals;
+}
 
-    // Orthonormal basis of what is constrained
+
+template<int dim>
+typename Foam::wallConstraints<dim>::wallNode
+Foam::wallConstraints<dim>::constraintsOf(const label index) const
+{
     wallNode result;
     result.node = nodes_[index];
     result.nNormals = 0;
-    for (const Vec& normal : normals)
+
+    // Orthonormal basis of what is constrained
+    for
+    (
+        Vec n : constrainedNormals
+        (
+            geometry_.position(result.node), smoothPieces(index)
+        )
+    )
     {
-        Vec n = normal.normalized();
         for (int k = 0; k < result.nNormals; ++k)
         {
             n -= n.dot(result.normals[k])*result.normals[k];

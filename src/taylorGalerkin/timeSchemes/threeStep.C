@@ -146,7 +146,6 @@ void Foam::threeStep<dim>::addEnergy
 template<int dim>
 void Foam::threeStep<dim>::addBoundary
 (
-    const gasGeometry<dim>& geometry,
     const gasBoundary<dim>& boundary,
     const gasState<dim>& state,
     const double dt
@@ -162,21 +161,7 @@ void Foam::threeStep<dim>::addBoundary
     }
     boundary.addWallFluxes(wallP, dt, residual_);
     boundary.addFarFieldFluxes(state, dt, residual_);
-    boundary.addOpenFluxes
-    (
-        [&](const label node, const Vec& S)
-        {
-            const Vec w =
-                geometry.moving()
-              ? Vec(geometry.w(node)) : Vec(Vec::Zero());
-            return gasDynamics::fluxThrough<dim>
-            (
-                state.U[node], state.p[node], S, w
-            );
-        },
-        dt,
-        residual_
-    );
+    boundary.addOpenFluxes(state, dt, residual_);
 }
 
 
@@ -195,7 +180,7 @@ void Foam::threeStep<dim>::step
     massFlux_.resize(nNodes);
     carrier_.resize(nNodes);
 
-    addBoundary(geometry, boundary, state, dt);
+    addBoundary(boundary, state, dt);
 
     // Momentum, with the walls' normal velocity, so that the density step
     // sees no flux through them

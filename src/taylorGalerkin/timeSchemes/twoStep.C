@@ -129,21 +129,7 @@ void Foam::twoStep<dim>::addBoundary
     }
     boundary.addWallFluxes(wallP_, dt, residual_);
     boundary.addFarFieldFluxes(state, dt, residual_);
-    boundary.addOpenFluxes
-    (
-        [&](const label node, const Vec& S)
-        {
-            const Vec w =
-                geometry.moving()
-              ? Vec(geometry.w(node)) : Vec(Vec::Zero());
-            return gasDynamics::fluxThrough<dim>
-            (
-                state.U[node], state.p[node], S, w
-            );
-        },
-        dt,
-        residual_
-    );
+    boundary.addOpenFluxes(state, dt, residual_);
 }
 
 
