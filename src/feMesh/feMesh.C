@@ -58,6 +58,17 @@ void Foam::feMesh::findDirections()
 }
 
 
+Foam::wordList Foam::feMesh::patchNames() const
+{
+    wordList names(patches_.size());
+    forAll(patches_, i)
+    {
+        names[i] = patches_[i].name;
+    }
+    return names;
+}
+
+
 const Foam::fePatch& Foam::feMesh::patch(const word& name) const
 {
     for (const fePatch& p : patches_)
@@ -68,14 +79,9 @@ const Foam::fePatch& Foam::feMesh::patch(const word& name) const
         }
     }
 
-    DynamicList<word> names;
-    for (const fePatch& p : patches_)
-    {
-        names.append(p.name);
-    }
     FatalErrorInFunction
         << "There is no patch " << name << " that bounds the scene" << nl
-        << "    Valid patches are " << flatOutput(names)
+        << "    Valid patches are " << flatOutput(patchNames())
         << exit(FatalError);
 
     return patches_.first();

@@ -4,17 +4,26 @@
 \*---------------------------------------------------------------------------*/
 #include "interfaceNodes.H"
 #include "HashSet.H"
+#include "ListOps.H"
+#include "FlatOutput.H"
 
 Foam::interfaceNodes::interfaceNodes
 (
     const feMesh& mesh,
-    const wordList& patchNames
+    const dictionary& dict
 )
 {
     DynamicList<const fePatch*> patches;
     labelHashSet all;
-    for (const word& name : patchNames)
+    for (const word& name : dict.get<wordList>("patches"))
     {
+        if (!mesh.patchNames().found(name))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown patch " << name << " in patches" << nl
+                << "    Valid patches are " << flatOutput(mesh.patchNames())
+                << exit(FatalIOError);
+        }
         patches.append(&mesh.patch(name));
         all |= labelHashSet(patches.last()->nodes);
     }

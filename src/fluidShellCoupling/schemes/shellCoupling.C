@@ -22,7 +22,7 @@ Foam::shellCoupling::shellCoupling
     ),
     shell_(std::move(shell)),
     pRef_(dict.getOrDefault<scalar>("pRef", 0)),
-    nodes_(gas.mesh(), dict.get<wordList>("patches")),
+    nodes_(gas.mesh(), dict),
     balance_(time)
 {
     if (subCycles_ < 1)

@@ -93,6 +93,29 @@ TEST(EigenFrequencies, freePlateWithAShift)
     EXPECT_NEAR(modes.frequency[6], omega/(2*pi), 0.005*omega/(2*pi));
 }
 
+// A shift close below the first eigenvalue makes the iteration faster, one as far below
+// zero does not; both find the same frequency
+TEST(EigenFrequencies, theShiftIsSubtracted)
+{
+    const ShellMesh mesh = rectangleMesh(2, 2, Vec3::Zero(), {1, 0, 0}, {0, 1, 0});
+    const ShellModel model
+    (
+        mesh, {{"all", 0.05, material(100, 0.3)}}, Constraints(mesh).clamped("uMin").dofMap()
+    );
+    const Vector q = mesh.initialPositions();
+    EigenOptions options;
+    options.tolerance = 1e-12;
+    const double first = lowestModes(model, q, 1, options).eigenvalue[0];
+    options.shift = 0.95*first;
+    const EigenModes near = lowestModes(model, q, 1, options);
+    options.shift = -0.95*first;
+    const EigenModes away = lowestModes(model, q, 1, options);
+    ASSERT_TRUE(near.converged && away.converged);
+    EXPECT_LT(near.iterations, away.iterations);
+    EXPECT_NEAR(near.eigenvalue[0], first, 1e-8*first);
+    EXPECT_NEAR(away.eigenvalue[0], first, 1e-8*first);
+}
+
 TEST(EigenFrequencies, errors)
 {
     const ShellMesh mesh = strip(1, 1);

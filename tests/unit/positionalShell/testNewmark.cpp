@@ -287,6 +287,98 @@ TEST(Newmark, drivenRootEqualsInertialForce)
     EXPECT_GT(coarse/fine, 3) << "second order in the step";
 }
 
+// Accelerations at the start, recomputed from the state: moving, damped, and with a
+// root that is driven with an acceleration of its own
+TEST(Newmark, accelerationsAtTheStartSatisfyTheEquationOfMotion)
+{
+    const ShellMesh mesh = strip(2, 4);
+    const double driven = 30;
+    const ShellModel model
+    (
+        mesh, {{"all", 0.1, material(1200, 0.3, 0.01)}},
+        Constraints(mesh)
+            .prescribed
+            (
+                "uMin", Component::z,
+                timeFunction
+                (
+                    [=](double t) { return 0.5*driven*t*t; },
+                    [=](double t) { return driven*t; },
+                    [=](double) { return driven; }
+                )
+            )
+            .dofMap()
+    );
+    NewmarkOptions options;
+    options.massDamping = 7;
+    Newmark newmark(model, options);
+    ShellState state = model.initialState();
+    state.velocity = randomVector(state.velocity.size(), 8);
+    const Loads loads{std::make_shared<BodyForce>(model, Vec3(1, 2, 3))};
+    newmark.initialise(state, loads);
+
+    const int root = fullIndex(mesh.nodeSet("uMin")[0], Component::z);
+    EXPECT_EQ(state.acceleration[root], driven);
+    EXPECT_EQ(state.velocity[root], 0);
+    const Vector residual = totalForce(loads, model, state.position, 0)
+        - model.internalForce(state.position)
+        - model.massTimes(state.acceleration + 7*state.velocity);
+    const double scale = model.massTimes(7*state.velocity).norm();
+    EXPECT_LT(model.dofs().reduce(residual).norm(), 1e-10*scale);
+}
+
+// Driven unknowns have the rates of their function, not those of the difference scheme
+TEST(Newmark, drivenUnknownsTakeTheRatesOfTheirFunction)
+{
+    const ShellMesh mesh = strip(2, 10);
+    const auto motion = smoothStep(0, 0.1, 0.2);
+    const ShellModel model
+    (
+        mesh, {{"all", 0.1, material(1.2e6, 0, 0.01)}},
+        Constraints(mesh)
+            .planeStrainStrip(Axis::y)
+            .prescribed("uMin", Component::z, motion)
+            .fixed("uMin", {Component::x, Component::gx, Component::gz})
+            .dofMap()
+    );
+    Newmark newmark(model);
+    ShellState state = model.initialState();
+    newmark.initialise(state, {});
+    const int root = fullIndex(mesh.nodeSet("uMin")[0], Component::z);
+    for (int k = 0; k < 5; ++k)
+    {
+        const DynamicStep step = newmark.step(state, 0.01, {});
+        ASSERT_TRUE(step.converged) << step.report.describe();
+        state = step.state;
+        EXPECT_EQ(state.position[root], motion->value(state.time));
+        EXPECT_EQ(state.velocity[root], motion->firstDerivative(state.time));
+        EXPECT_EQ(state.acceleration[root], motion->secondDerivative(state.time));
+    }
+}
+
+// While nothing changes much one factorisation serves many steps; another step length
+// is another matrix
+TEST(Newmark, factorsAreKeptUntilTheStepLengthChanges)
+{
+    Strip strip(3);
+    const Loads loads{SurfaceTraction::deadPressure(strip.model, "all", -1e-4)};
+    Newmark newmark(strip.model);
+    ShellState state = strip.model.initialState();
+    newmark.initialise(state, loads);
+    bool severalIterations = false;
+    for (int k = 0; k < 30; ++k)
+    {
+        const DynamicStep step = newmark.step(state, 1e-3, loads);
+        ASSERT_TRUE(step.converged) << step.report.describe();
+        severalIterations = severalIterations || step.report.iterations > 1;
+        state = step.state;
+    }
+    EXPECT_TRUE(severalIterations) << "the rate of convergence was looked at";
+    EXPECT_EQ(newmark.linearReport().nCholesky, 1);
+    EXPECT_FALSE(newmark.step(state, 1e-3, loads).report.history[0].newTangent);
+    EXPECT_TRUE(newmark.step(state, 1.1e-3, loads).report.history[0].newTangent);
+}
+
 // Start from positions that are not in equilibrium through the thickness
 TEST(Newmark, theThicknessStrainStartsInEquilibrium)
 {

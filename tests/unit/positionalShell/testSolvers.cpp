@@ -221,6 +221,20 @@ TEST(StaticSolver, cantileverUnderEndShear)
     }
 }
 
+// A given generalised force is a load like any other
+TEST(StaticSolver, aFixedForceActsAsALoad)
+{
+    const Cantilever beam(2, 10);
+    const Loads loads{std::make_shared<EdgeLoad>(beam.model, "uMax", Vec3(0, 0, 0.01))};
+    const ShellState start = beam.model.initialState();
+    const Vector force = totalForce(loads, beam.model, start.position, 1);
+    const StaticStep a = StaticSolver(beam.model).step(start, 1, loads);
+    const StaticStep b = StaticSolver(beam.model).step(start, 1, {}, &force);
+    ASSERT_TRUE(a.converged && b.converged);
+    EXPECT_GT(beam.tipDisplacement(a.state)[2], 0.01);
+    EXPECT_LT((a.state.position - b.state.position).norm(), 1e-9);
+}
+
 // Three points through the thickness are enough at finite strain as well
 TEST(StaticSolver, morePointsThroughTheThicknessChangeNothing)
 {

@@ -131,7 +131,7 @@ def prepared(tmp_path_factory):
     ("constant/couplingProperties", "subCycels", "10",
      ["couplingProperties", "subCycels", "subCycles", "line"]),
     ("constant/couplingProperties", "patches", "(pannel)",
-     ["pannel", "panel", "endWall"]),
+     ["couplingProperties", "line", "pannel", "panel", "endWall"]),
     ("constant/couplingProperties", "patches", "(roof)",
      ["roof", "shellInterface", "couplingProperties"]),
     ("constant/couplingProperties", "loadTransfer", "nearest",
