@@ -19,8 +19,14 @@ Foam::feMesh::feMesh(const polyMesh& mesh)
     depth_(1)
 {
     findDirections();
+    findStations();
     findNodes();
+    findImages();
+    shareNodes();
     splitCells();
+    setNodesOfSimplices();
+    findEdges();
+    shareEdges();
     findPatches();
 }
 
@@ -103,9 +109,38 @@ Foam::tmp<Foam::pointField> Foam::feMesh::gather
 }
 
 
+Foam::tmp<Foam::pointField> Foam::feMesh::cornerPositions
+(
+    const pointField& nodes
+) const
+{
+    auto tcorners = tmp<pointField>::New(nCorners());
+    pointField& corners = tcorners.ref();
+    forAll(nodes, nodei)
+    {
+        corners[nodei] = nodes[nodei];
+    }
+    forAll(imageNode_, i)
+    {
+        corners[nNodes() + i] = nodes[imageNode_[i]] + imageShift_[i];
+    }
+    return tcorners;
+}
+
+
+void Foam::feMesh::moveNodes(const pointField& newNodes)
+{
+    nodes_ = newNodes;
+    if (imageNode_.size())
+    {
+        corners_ = cornerPositions(nodes_);
+    }
+}
+
+
 bool Foam::feMesh::movePoints()
 {
-    nodes_ = gather(mesh_.points());
+    moveNodes(gather(mesh_.points()));
     return true;
 }
 
@@ -127,7 +162,7 @@ Eigen::Matrix<double, dim + 1, 1> barycentric
     {
         x[a] = mesh.components<dim>
         (
-            mesh.nodes()[mesh.simplices()[(dim + 1)*simplexi + a]]
+            mesh.corners()[mesh.simplexCorners()[(dim + 1)*simplexi + a]]
         );
     }
     const Foam::simplexVec<dim> local =

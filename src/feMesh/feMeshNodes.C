@@ -3,7 +3,11 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "feMesh.H"
+#include "globalNodes.H"
 #include "edge.H"
+#include "Map.H"
+
+#include <algorithm>
 
 namespace
 {
@@ -22,14 +26,14 @@ Foam::label root(Foam::labelList& parent, Foam::label i)
 } // End namespace
 
 
-void Foam::feMesh::findNodes()
+void Foam::feMesh::findStations()
 {
     const pointField& points = mesh_.points();
     labelList parent(identity(points.size()));
 
     if (dim_ < 3)
     {
-        // Points joined by an edge across the thickness are one node; the
+        // Points joined by an edge across the thickness are one station; the
         // smallest label is the group's root, hence its representative
         for (const edge& e : mesh_.edges())
         {
@@ -48,41 +52,137 @@ void Foam::feMesh::findNodes()
         }
     }
 
-    nodeOfPoint_.setSize(points.size());
+    stationOfPoint_.setSize(points.size());
     labelList groupSize(points.size(), Zero);
-    DynamicList<label> representative(points.size());
-
     forAll(points, pointi)
     {
-        const label r = root(parent, pointi);
-        if (r == pointi)
-        {
-            nodeOfPoint_[pointi] = representative.size();
-            representative.append(pointi);
-        }
-        else
-        {
-            nodeOfPoint_[pointi] = nodeOfPoint_[r];
-        }
-        ++groupSize[r];
+        stationOfPoint_[pointi] = root(parent, pointi);
+        ++groupSize[stationOfPoint_[pointi]];
     }
 
-    pointOfNode_.transfer(representative);
-    nodes_ = gather(points);
-
     const label expected = (dim_ == 3 ? 1 : dim_ == 2 ? 2 : 4);
-    for (const label pointi : pointOfNode_)
+    forAll(points, pointi)
     {
-        if (groupSize[pointi] != expected)
+        const label n = groupSize[stationOfPoint_[pointi]];
+        if (n != expected)
         {
             FatalErrorInFunction
                 << "A mesh with " << dim_ << " solution direction(s) must be "
                 << "one cell thick in the others, with edges straight across:"
                 << nl << "    the point at " << points[pointi]
-                << " stands in line with " << groupSize[pointi] - 1
+                << " stands in line with " << n - 1
                 << " other point(s) instead of " << expected - 1 << nl
                 << "    Check the empty patches and the mesh's thickness"
                 << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::feMesh::findNodes()
+{
+    const labelList global
+    (
+        globalNodeOfPoints
+        (
+            mesh_, undecomposedLabels(mesh_), stationOfPoint_
+        )
+    );
+
+    // Nodes in the order of their first mesh point, which is a station
+    Map<label> nodeOfLabel(2*global.size());
+    nodeOfPoint_.setSize(global.size());
+    DynamicList<label> representative(global.size());
+    DynamicList<label> labels(global.size());
+    forAll(global, pointi)
+    {
+        if (nodeOfLabel.insert(global[pointi], representative.size()))
+        {
+            representative.append(pointi);
+            labels.append(global[pointi]);
+        }
+        nodeOfPoint_[pointi] = nodeOfLabel[global[pointi]];
+    }
+
+    pointOfNode_.transfer(representative);
+    globalNode_.transfer(labels);
+    nodes_ = gather(mesh_.points());
+}
+
+
+void Foam::feMesh::findImages()
+{
+    const pointField& points = mesh_.points();
+    cornerOfPoint_.setSize(points.size());
+    DynamicList<label> imageNode;
+    DynamicList<vector> imageShift;
+
+    forAll(points, pointi)
+    {
+        const label station = stationOfPoint_[pointi];
+        const label nodei = nodeOfPoint_[pointi];
+        if (pointi != station)
+        {
+            cornerOfPoint_[pointi] = cornerOfPoint_[station];
+        }
+        else if (pointi == pointOfNode_[nodei])
+        {
+            cornerOfPoint_[pointi] = nodei;
+        }
+        else
+        {
+            cornerOfPoint_[pointi] = nNodes() + imageNode.size();
+            vector shift(Zero);
+            for (const direction axis : axes_)
+            {
+                shift[axis] = points[pointi][axis] - nodes_[nodei][axis];
+            }
+            imageNode.append(nodei);
+            imageShift.append(shift);
+        }
+    }
+    imageNode_.transfer(imageNode);
+    imageShift_.transfer(imageShift);
+    if (imageNode_.size())
+    {
+        corners_ = cornerPositions(nodes_);
+    }
+}
+
+
+void Foam::feMesh::setNodesOfSimplices()
+{
+    if (imageNode_.empty())
+    {
+        simplices_.transfer(simplexCorners_);
+        return;
+    }
+
+    const label stride = dim_ + 1;
+    simplices_.setSize(simplexCorners_.size());
+    forAll(simplexCorners_, i)
+    {
+        simplices_[i] = nodeOfCorner(simplexCorners_[i]);
+    }
+
+    for (label s = 0; s < nSimplices(); ++s)
+    {
+        const label* nodes = &simplices_[stride*s];
+        for (label a = 0; a < stride; ++a)
+        {
+            if (std::count(nodes, nodes + stride, nodes[a]) > 1)
+            {
+                const label celli = cellOfSimplex_[s];
+                FatalErrorInFunction
+                    << "Cell " << celli << " at "
+                    << mesh_.cellCentres()[celli] << " has two cyclic patches "
+                    << "as its sides: one of its simplices holds the node at "
+                    << nodes_[nodes[a]] << " twice" << nl
+                    << "    Make the mesh at least two cells long between "
+                    << "cyclic patches; nothing can vary over one cell, which "
+                    << "empty sides compute with fewer nodes"
+                    << exit(FatalError);
+            }
         }
     }
 }

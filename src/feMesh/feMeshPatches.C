@@ -18,10 +18,11 @@ void Foam::feMesh::findPatches()
     }
 
     DynamicList<fePatch> patches;
+    labelList onPatch(nNodes());
 
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp))
+        if (isA<emptyPolyPatch>(pp) || pp.coupled())
         {
             continue;
         }
@@ -33,8 +34,11 @@ void Foam::feMesh::findPatches()
 
         forAll(pp, i)
         {
-            const labelHashSet onFace(faceNodes(pp.start() + i));
-            nodes |= onFace;
+            const labelHashSet onFace(faceCorners(pp.start() + i));
+            for (const label corneri : onFace)
+            {
+                nodes.insert(nodeOfCorner(corneri));
+            }
             const label celli = pp.faceCells()[i];
 
             for
@@ -49,7 +53,7 @@ void Foam::feMesh::findPatches()
                 label nOff = 0;
                 for (label a = 0; a < stride; ++a)
                 {
-                    if (!onFace.found(simplices_[stride*s + a]))
+                    if (!onFace.found(simplexCorners()[stride*s + a]))
                     {
                         off = a;
                         ++nOff;
@@ -71,6 +75,22 @@ void Foam::feMesh::findPatches()
             }
         }
 
+        // Nodes that lie on the patch by faces of other processors only
+        onPatch = 0;
+        for (const label nodei : nodes)
+        {
+            onPatch[nodei] = 1;
+        }
+        exchange_.max(onPatch);
+        DynamicList<label> remote;
+        for (const label nodei : exchange_.shared())
+        {
+            if (onPatch[nodei] && !nodes.found(nodei))
+            {
+                remote.append(nodei);
+            }
+        }
+
         patches.append
         (
             fePatch
@@ -81,7 +101,8 @@ void Foam::feMesh::findPatches()
                 labelList(facets),
                 labelList(behind),
                 labelList(opposite),
-                nodes.sortedToc()
+                nodes.sortedToc(),
+                labelList(remote)
             }
         );
     }

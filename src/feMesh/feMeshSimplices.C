@@ -27,36 +27,36 @@ template<int dim>
 Foam::scalar signedMeasure
 (
     const Foam::feMesh& mesh,
-    const Foam::label* nodes
+    const Foam::label* corners
 )
 {
     Foam::simplexVec<dim> x[dim + 1];
     for (int a = 0; a <= dim; ++a)
     {
-        x[a] = mesh.components<dim>(mesh.nodes()[nodes[a]]);
+        x[a] = mesh.components<dim>(mesh.corners()[corners[a]]);
     }
     return Foam::simplex::volume<dim>(Foam::simplex::edges<dim>(x));
 }
 
-Foam::scalar signedMeasure(const Foam::feMesh& mesh, const Foam::label* nodes)
+Foam::scalar signedMeasure(const Foam::feMesh& mesh, const Foam::label* corners)
 {
     switch (mesh.dim())
     {
-        case 1: return signedMeasure<1>(mesh, nodes);
-        case 2: return signedMeasure<2>(mesh, nodes);
-        default: return signedMeasure<3>(mesh, nodes);
+        case 1: return signedMeasure<1>(mesh, corners);
+        case 2: return signedMeasure<2>(mesh, corners);
+        default: return signedMeasure<3>(mesh, corners);
     }
 }
 
 } // End namespace
 
 
-Foam::labelList Foam::feMesh::faceNodes(const label facei) const
+Foam::labelList Foam::feMesh::faceCorners(const label facei) const
 {
     DynamicList<label> nodes(4);
     for (const label pointi : mesh_.faces()[facei])
     {
-        const label nodei = nodeOfPoint_[pointi];
+        const label nodei = cornerOfPoint_[pointi];
         if (!nodes.found(nodei))
         {
             nodes.append(nodei);
@@ -81,7 +81,7 @@ void Foam::feMesh::splitPolygon
             continue;
         }
         const label patchi = mesh_.boundaryMesh().whichPatch(facei);
-        const labelList nodes(faceNodes(facei));
+        const labelList nodes(faceCorners(facei));
         if
         (
             nodes.size() > 2
@@ -123,13 +123,13 @@ void Foam::feMesh::splitPolyhedron
     {
         for (const label pointi : mesh_.faces()[facei])
         {
-            apex = min(apex, nodeOfPoint_[pointi]);
+            apex = min(apex, cornerOfPoint_[pointi]);
         }
     }
 
     for (const label facei : faces)
     {
-        labelList nodes(faceNodes(facei));
+        labelList nodes(faceCorners(facei));
         if (nodes.found(apex))
         {
             continue;
@@ -211,7 +211,7 @@ void Foam::feMesh::splitCells()
         {
             for (const label pointi : mesh_.cellPoints(celli))
             {
-                const label nodei = nodeOfPoint_[pointi];
+                const label nodei = cornerOfPoint_[pointi];
                 bool isNew = true;
                 for (label i = start; i < simplices.size(); ++i)
                 {
@@ -231,6 +231,6 @@ void Foam::feMesh::splitCells()
         }
     }
 
-    simplices_.transfer(simplices);
+    simplexCorners_.transfer(simplices);
     cellOfSimplex_.transfer(cells);
 }
