@@ -9,6 +9,7 @@
 #include "calculatedPointPatchField.H"
 #include "slipPointPatchField.H"
 #include "valuePointPatchField.H"
+#include "PstreamReduceOps.H"
 #include "symmetryPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 
@@ -79,10 +80,12 @@ Foam::gasBoundary<dim>::gasBoundary
     U_(U),
     T_(T),
     walls_(wallPatches()),
+    half_(geometry.nRows(), uniformRow(0)),
     wallConstraints_(geometry, walls_)
 {
     classify();
     readOuterStates();
+    findBoundaryNodes();
 }
 
 
@@ -168,6 +171,7 @@ void Foam::gasBoundary<dim>::readOuterStates()
 {
     const feMesh& mesh = geometry_.mesh();
     outer_.setSize(farField_.size());
+    outerOf_.setSize(farField_.size());
 
     forAll(farField_, i)
     {
@@ -188,6 +192,11 @@ void Foam::gasBoundary<dim>::readOuterStates()
         const labelList& points =
             p_.boundaryField()[patch.index].patch().meshPoints();
         outer_[i].resize(patch.nodes.size());
+        outerOf_[i].setSize(patch.facets.size());
+        forAll(patch.facets, k)
+        {
+            outerOf_[i][k] = findLower(patch.nodes, patch.facets[k] + 1);
+        }
 
         forAll(points, pointi)
         {
@@ -206,75 +215,159 @@ void Foam::gasBoundary<dim>::readOuterStates()
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::setPrescribed(std::vector<State>& states)
+void Foam::gasBoundary<dim>::findBoundaryNodes()
 {
     const feMesh& mesh = geometry_.mesh();
 
-    // Conserved state of a node from its own primitive variables, of which
-    // the caller changes one
-    auto change = [&](const label pointi, auto&& changePrimitive)
+    std::vector<double> fixed(mesh.nNodes(), 0.0), any(mesh.nNodes(), 0.0);
+    for (const fePatch& patch : mesh.patches())
     {
-        State& s = states[mesh.nodeOfPoint()[pointi]];
-        Vec U = gasDynamics::velocity<dim>(s);
-        double p = gasDynamics::pressure<dim>(eos_, s);
-        double T = eos_.temperature(p, s[0]);
-        changePrimitive(p, U, T);
-        s = gasDynamics::conserved<dim>(eos_, eos_.density(p, T), U, p);
+        for (const label node : patch.nodes)
+        {
+            any[node] = 1;
+        }
+    }
+    auto mark = [&](const auto& field, const labelUList& patches)
+    {
+        for (const label patchi : patches)
+        {
+            const auto& pf = field.boundaryField()[patchi];
+            for (const label pointi : pf.patch().meshPoints())
+            {
+                fixed[mesh.nodeOfPoint()[pointi]] = 1;
+            }
+        }
     };
+    mark(p_, fixedP_);
+    mark(T_, fixedT_);
+    mark(U_, fixedU_);
+    mesh.exchange().max(fixed.data(), 1, 1);
+    mesh.exchange().max(any.data(), 1, 1);
 
-    for (const label patchi : fixedP_)
+    DynamicList<label> prescribed, boundary;
+    placeOfNode_.setSize(mesh.nNodes(), -1);
+    for (label a = 0; a < mesh.nNodes(); ++a)
     {
-        auto& pf = p_.boundaryFieldRef()[patchi];
-        pf.evaluate();
-        const auto& values = refCast<valuePointPatchField<scalar>>(pf);
-        forAll(values, i)
+        if (fixed[a] > 0)
         {
-            change
-            (
-                pf.patch().meshPoints()[i],
-                [&](double& p, Vec&, double&) { p = values[i]; }
-            );
+            placeOfNode_[a] = prescribed.size();
+            prescribed.append(a);
+        }
+        if (any[a] > 0)
+        {
+            boundary.append(a);
         }
     }
-    for (const label patchi : fixedT_)
+    prescribed_.transfer(prescribed);
+    boundaryNodes_.transfer(boundary);
+    values_.resize(prescribed_.size());
+
+    const prescription none{-GREAT, -GREAT, {-GREAT, -GREAT, -GREAT}};
+    shared_.assign(Pstream::parRun() ? mesh.nNodes() : 0, none);
+    evaluatePrescribed();
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::evaluatePrescribed()
+{
+    const feMesh& mesh = geometry_.mesh();
+    const prescription none{-GREAT, -GREAT, {-GREAT, -GREAT, -GREAT}};
+    std::fill(values_.begin(), values_.end(), none);
+
+    auto take = [&](auto& field, const labelUList& patches, auto&& set)
     {
-        auto& pf = T_.boundaryFieldRef()[patchi];
-        pf.evaluate();
-        const auto& values = refCast<valuePointPatchField<scalar>>(pf);
-        forAll(values, i)
+        for (const label patchi : patches)
         {
-            change
-            (
-                pf.patch().meshPoints()[i],
-                [&](double&, Vec&, double& T) { T = values[i]; }
-            );
+            auto& pf = field.boundaryFieldRef()[patchi];
+            pf.evaluate();
+            using Type = typename std::decay_t<decltype(pf)>::value_type;
+            const auto& values = refCast<const valuePointPatchField<Type>>(pf);
+            const labelList& points = pf.patch().meshPoints();
+            forAll(points, i)
+            {
+                const label node = mesh.nodeOfPoint()[points[i]];
+                set(values_[placeOfNode_[node]], values[i]);
+            }
         }
-    }
-    for (const label patchi : fixedU_)
-    {
-        auto& pf = U_.boundaryFieldRef()[patchi];
-        pf.evaluate();
-        const auto& values = refCast<valuePointPatchField<vector>>(pf);
-        forAll(values, i)
+    };
+    take(p_, fixedP_, [](prescription& v, scalar p) { v.p = p; });
+    take(T_, fixedT_, [](prescription& v, scalar T) { v.T = T; });
+    take
+    (
+        U_, fixedU_,
+        [&](prescription& v, const vector& U)
         {
-            change
-            (
-                pf.patch().meshPoints()[i],
-                [&](double&, Vec& U, double&)
-                {
-                    U = mesh.components<dim>(values[i]);
-                }
-            );
+            const Vec components = mesh.components<dim>(U);
+            std::copy_n(components.data(), dim, v.U);
+        }
+    );
+
+    // A processor may hold a node of a patch without a face of the patch
+    if (Pstream::parRun())
+    {
+        forAll(prescribed_, i)
+        {
+            shared_[prescribed_[i]] = values_[i];
+        }
+        static_assert(sizeof(prescription) == 5*sizeof(double), "no gaps");
+        mesh.exchange().max(&shared_.data()->p, 5, 5);
+        forAll(prescribed_, i)
+        {
+            values_[i] = shared_[prescribed_[i]];
         }
     }
 }
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::impose(std::vector<State>& states)
+void Foam::gasBoundary<dim>::setPrescribed(gasRows& states) const
 {
-    setPrescribed(states);
-    wallConstraints_.apply(states);
+    forAll(prescribed_, i)
+    {
+        const prescription& v = values_[i];
+        Eigen::Map<State> s(states[prescribed_[i]].v);
+        Vec U = gasDynamics::velocity<dim>(s);
+        double p = gasDynamics::pressure<dim>(eos_, s);
+        double T = eos_.temperature(p, s[0]);
+        if (v.p > -GREAT) p = v.p;
+        if (v.T > -GREAT) T = v.T;
+        if (v.U[0] > -GREAT) U = Eigen::Map<const Vec>(v.U);
+        s = gasDynamics::conserved<dim>(eos_, eos_.density(p, T), U, p);
+    }
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::impose(gasRows& states)
+{
+    if (returnReduce(prescribed_.size(), sumOp<label>()))
+    {
+        evaluatePrescribed();
+        setPrescribed(states);
+    }
+    wallConstraints_.apply
+    (
+        [&](label a) { return Eigen::Map<State>(states[a].v); }
+    );
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::constrainRates(gasRows& rates) const
+{
+    wallConstraints_.apply
+    (
+        [&](label a) { return Eigen::Map<State>(rates[a].v); }
+    );
+    forAll(prescribed_, i)
+    {
+        const prescription& v = values_[i];
+        if (v.p > -GREAT && v.T > -GREAT && v.U[0] > -GREAT)
+        {
+            rates[prescribed_[i]] = uniformRow(0);
+        }
+    }
 }
 
 

@@ -41,6 +41,29 @@ Foam::wallConstraints<dim>::wallConstraints
         }
     }
 
+    // A processor may hold a wall's node without a facet of the wall
+    const sharedItems& exchange = geometry.mesh().exchange();
+    std::vector<double> isWall(geometry.nNodes(), 0.0);
+    for (const label node : nodes)
+    {
+        isWall[node] = 1;
+    }
+    exchange.max(isWall.data(), 1, 1);
+    DynamicList<label> shared;
+    for (const label node : exchange.shared())
+    {
+        if (isWall[node] > 0)
+        {
+            if (indexOf.insert(node, nodes.size()))
+            {
+                nodes.append(node);
+                facets.append(DynamicList<labelPair>());
+            }
+            shared.append(indexOf[node]);
+        }
+    }
+    sharedNodes_.transfer(shared);
+
     nodes_.transfer(nodes);
     facetsOfNode_.setSize(facets.size());
     forAll(facets, i)
@@ -53,23 +76,126 @@ Foam::wallConstraints<dim>::wallConstraints
 
 
 template<int dim>
+std::vector<std::vector<typename Foam::wallConstraints<dim>::nodeFacet>>
+Foam::wallConstraints<dim>::facets() const
+{
+    const feMesh& mesh = geometry_.mesh();
+    std::vector<std::vector<nodeFacet>> result(nodes_.size());
+    forAll(nodes_, n)
+    {
+        for (const labelPair& wf : facetsOfNode_[n])
+        {
+            const fePatch& patch = *walls_[wf.first()];
+            const label i = wf.second();
+            Vec centre = Vec::Zero(), own = Vec::Zero();
+            const label first = (dim + 1)*patch.facetSimplex[i];
+            for (int a = 0; a <= dim; ++a)
+            {
+                // At the corners: a node of a cyclic patch has several places
+                const Vec x = mesh.components<dim>
+                (
+                    mesh.corners()[mesh.simplexCorners()[first + a]]
+                );
+                if (a != patch.opposite[i])
+                {
+                    centre += x/dim;
+                }
+                if (mesh.simplices()[first + a] == nodes_[n])
+                {
+                    own = x;
+                }
+            }
+            centre -= own;
+            result[n].push_back
+            (
+                nodeFacet{geometry_.presentFacetArea(patch, i), centre}
+            );
+        }
+    }
+
+    if (Pstream::parRun())
+    {
+        // Facets of the shared nodes: (global node, area, centre) from all
+        List<List<scalarList>> all(Pstream::nProcs());
+        DynamicList<scalarList> own;
+        for (const label n : sharedNodes_)
+        {
+            for (const nodeFacet& f : result[n])
+            {
+                scalarList entry(1 + 2*dim, scalar(mesh.globalNode()[nodes_[n]]));
+                for (int k = 0; k < dim; ++k)
+                {
+                    entry[1 + k] = f.area[k];
+                    entry[1 + dim + k] = f.centre[k];
+                }
+                own.append(entry);
+            }
+        }
+        all[Pstream::myProcNo()] = own;
+        Pstream::gatherList(all);
+        Pstream::scatterList(all);
+
+        Map<label> placeOf;
+        for (const label n : sharedNodes_)
+        {
+            placeOf.insert(mesh.globalNode()[nodes_[n]], n);
+        }
+        forAll(all, proci)
+        {
+            if (proci == Pstream::myProcNo())
+            {
+                continue;
+            }
+            for (const scalarList& entry : all[proci])
+            {
+                const auto n = placeOf.cfind(label(entry[0]));
+                if (n.found())
+                {
+                    result[*n].push_back
+                    (
+                        nodeFacet
+                        {
+                            Eigen::Map<const Vec>(&entry[1]),
+                            Eigen::Map<const Vec>(&entry[1 + dim])
+                        }
+                    );
+                }
+            }
+        }
+    }
+
+    // The same order whatever the decomposition
+    for (auto& list : result)
+    {
+        std::sort
+        (
+            list.begin(), list.end(),
+            [](const nodeFacet& a, const nodeFacet& b)
+            {
+                return std::lexicographical_compare
+                (
+                    a.centre.data(), a.centre.data() + dim,
+                    b.centre.data(), b.centre.data() + dim
+                );
+            }
+        );
+    }
+    return result;
+}
+
+
+template<int dim>
 std::vector<typename Foam::wallConstraints<dim>::piece>
-Foam::wallConstraints<dim>::smoothPieces(const label index) const
+Foam::wallConstraints<dim>::smoothPieces(const std::vector<nodeFacet>& facets)
 {
     const double sameWall =
         std::cos(featureAngle*constant::mathematical::pi/180);
 
     std::vector<piece> pieces;
-    for (const labelPair& wf : facetsOfNode_[index])
+    for (const nodeFacet& f : facets)
     {
-        const fePatch& patch = *walls_[wf.first()];
-        const label i = wf.second();
-        const Vec S = geometry_.presentFacetArea(patch, i);
-        Vec centre = Vec::Zero();
-        for (int b = 0; b < dim; ++b)
-        {
-            centre += geometry_.position(patch.facets[dim*i + b])/dim;
-        }
+        const Vec& S = f.area;
+        const Vec& centre = f.centre;
 
         auto home = std::find_if
         (
@@ -98,7 +224,6 @@ template<int dim>
 std::vector<typename Foam::wallConstraints<dim>::Vec>
 Foam::wallConstraints<dim>::constrainedNormals
 (
-    const Vec& x,
     const std::vector<piece>& pieces
 )
 {
@@ -116,7 +241,7 @@ Foam::wallConstraints<dim>::constrainedNormals
         {
             // The other piece lies on the outer side of this one's plane: the
             // gas turns through more than half a circle between them
-            const Vec away = pieces[j].centres/pieces[j].nFacets - x;
+            const Vec away = pieces[j].centres/pieces[j].nFacets;
             if (away.dot(n) > 1e-3*away.norm())
             {
                 mean += pieces[j].area.normalized();
@@ -131,19 +256,20 @@ Foam::wallConstraints<dim>::constrainedNormals
 
 template<int dim>
 typename Foam::wallConstraints<dim>::wallNode
-Foam::wallConstraints<dim>::constraintsOf(const label index) const
+Foam::wallConstraints<dim>::constraintsOf
+(
+    const label node,
+    const std::vector<nodeFacet>& facets
+) const
 {
     wallNode result;
-    result.node = nodes_[index];
+    result.node = node;
     result.nNormals = 0;
 
     // Orthonormal basis of what is constrained
     for
     (
-        Vec n : constrainedNormals
-        (
-            geometry_.position(result.node), smoothPieces(index)
-        )
+        Vec n : constrainedNormals(smoothPieces(facets))
     )
     {
         for (int k = 0; k < result.nNormals; ++k)
@@ -162,29 +288,10 @@ Foam::wallConstraints<dim>::constraintsOf(const label index) const
 template<int dim>
 void Foam::wallConstraints<dim>::update()
 {
+    const std::vector<std::vector<nodeFacet>> around(facets());
     forAll(nodes_, i)
     {
-        constraints_[i] = constraintsOf(i);
-    }
-}
-
-
-template<int dim>
-void Foam::wallConstraints<dim>::apply
-(
-    std::vector<gasDynamics::State<dim>>& U
-) const
-{
-    for (const wallNode& c : constraints_)
-    {
-        gasDynamics::State<dim>& s = U[c.node];
-        const Vec& w = geometry_.w(c.node);
-        for (int k = 0; k < c.nNormals; ++k)
-        {
-            const Vec relative = s.template segment<dim>(1) - s[0]*w;
-            s.template segment<dim>(1) -=
-                relative.dot(c.normals[k])*c.normals[k];
-        }
+        constraints_[i] = constraintsOf(nodes_[i], around[i]);
     }
 }
 

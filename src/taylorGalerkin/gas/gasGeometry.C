@@ -3,65 +3,334 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "gasGeometry.H"
+#include "simplexTerms.H"
 #include "Time.H"
+
+namespace
+{
+
+// Places in the row of an edge's sums
+constexpr int massAt = 3;
+constexpr int stiffnessAt = 4;
+constexpr int sweepAt = 5;
+constexpr int lengthAt = 6;
+constexpr int countAt = 7;
+
+//- Points of Gauss' rule in time and their weight: two integrate a cubic, and
+//  every integral over a moving simplex is one at most
+const double gaussPoints[2] =
+    {0.5 - 0.5/std::sqrt(3.0), 0.5 + 0.5/std::sqrt(3.0)};
+
+} // End namespace
+
 
 template<int dim>
 Foam::gasGeometry<dim>::gasGeometry(feMesh& mesh)
 :
     mesh_(mesh),
     moving_(false),
-    hasMoved_(false),
-    areas_(mesh.nSimplices()),
-    volume_(mesh.nSimplices()),
-    inverseHeight_(mesh.nSimplices()),
-    nodeVolume_(mesh.nNodes()),
+    isPresent_(false),
+    nRows_
+    (
+        gasKernel::groupSize*(mesh.nNodes()/gasKernel::groupSize + 1)
+    ),
     w_(mesh.nNodes(), Vec::Zero())
 {
-    compute(mesh_.nodes(), nodeVolume_);
+    selectEdges();
+    nodeVolume_.assign(nRows_, 1.0);
+    newNodeVolume_.assign(nRows_, 1.0);
+    facets_.setSize(mesh_.patches().size());
+    forAll(facets_, patchi)
+    {
+        facets_[patchi].setSize(mesh_.patches()[patchi].facetSimplex.size());
+    }
+    begin();
 }
 
 
 template<int dim>
-void Foam::gasGeometry<dim>::compute
+void Foam::gasGeometry<dim>::selectEdges()
+{
+    DynamicList<label> own(mesh_.nEdges());
+    for (label e = 0; e < mesh_.nEdges(); ++e)
+    {
+        if (mesh_.edgeExchange().owned(e))
+        {
+            own.append(e);
+        }
+    }
+    nEdges_ = own.size();
+    meshEdge_.transfer(own);
+
+    constexpr label group = gasKernel::groupSize;
+    const label padded = group*((nEdges_ + group - 1)/group);
+
+    // The edges that fill up join the first row after the nodes to itself
+    first_.assign(padded, mesh_.nNodes());
+    second_.assign(padded, mesh_.nNodes());
+    for (label i = 0; i < nEdges_; ++i)
+    {
+        first_[i] = mesh_.edges()[meshEdge_[i]][0];
+        second_[i] = mesh_.edges()[meshEdge_[i]][1];
+    }
+    for (int k = 0; k < dim; ++k)
+    {
+        area_[k].assign(padded, 0.0);
+    }
+    for
+    (
+        std::vector<double>* v
+      : {&magArea_, &inverseLengthArea_, &mass_, &stiffness_, &sweep_}
+    )
+    {
+        v->assign(padded, 0.0);
+    }
+}
+
+
+template<int dim>
+void Foam::gasGeometry<dim>::stopInverted
 (
-    const pointField& nodePositions,
-    std::vector<double>& nodeVolume
+    const label simplexi,
+    const double volume
+) const
+{
+    const label celli = mesh_.cellOfSimplex()[simplexi];
+    FatalErrorInFunction
+        << "The mesh motion has inverted a simplex of cell " << celli
+        << " at " << mesh_.nodes()[mesh_.simplices()[(dim + 1)*simplexi]]
+        << ": its volume is " << volume << " m3" << nl
+        << "    at time " << mesh_.poly().time().timeName() << nl
+        << "    Use a finer write interval to see the mesh before, "
+        << "and change the motion solver's coefficients or the mesh"
+        << exit(FatalError);
+}
+
+
+template<int dim>
+void Foam::gasGeometry<dim>::sumSimplices
+(
+    const pointField& from,
+    const pointField& to,
+    const double dt,
+    std::vector<double>& volumeAtEnd
 )
 {
-    nodeVolume.assign(nNodes(), 0.0);
+    const bool atRest = (&from == &to);
+    const int k = curvature();
+    const int radial = this->radial();
     const double depth = mesh_.depth();
+    const int nTimes = atRest ? 1 : 2;
 
-    for (label s = 0; s < nSimplices(); ++s)
+    edgeSums_.assign(mesh_.nEdges(), uniformRow(0));
+    std::fill_n(volumeAtEnd.begin(), nNodes(), 0.0);
+    hoop_.assign(k ? nRows_ : 0, 0.0);
+
+    const label* corner = mesh_.simplexCorners().cdata();
+    const label* node = mesh_.simplices().cdata();
+    const label* edge = mesh_.simplexEdges().cdata();
+
+    for
+    (
+        label s = 0;
+        s < mesh_.nSimplices();
+        ++s, corner += dim + 1, node += dim + 1
+    )
     {
-        Vec x[dim + 1];
+        Vec x0[dim + 1], x1[dim + 1], x[dim + 1];
         for (int a = 0; a <= dim; ++a)
         {
-            x[a] = mesh_.components<dim>(nodePositions[nodes(s)[a]]);
+            x0[a] = mesh_.components<dim>(from[corner[a]]);
+            x1[a] = mesh_.components<dim>(to[corner[a]]);
         }
-        const Eigen::Matrix<double, dim, dim> e = simplex::edges<dim>(x);
-        volume_[s] = depth*simplex::volume<dim>(e);
-        if (!(volume_[s] > 0))
+        const simplexTerms<dim> end(x1, k, radial);
+        if (!(end.volume > 0 && end.plainVolume > 0))
         {
-            const label celli = mesh_.cellOfSimplex()[s];
-            FatalErrorInFunction
-                << "The mesh motion has inverted a simplex of cell " << celli
-                << " at " << nodePositions[nodes(s)[0]]
-                << ": its volume is " << volume_[s] << " m3" << nl
-                << "    at time "
-                << mesh_.poly().time().timeName() << nl
-                << "    Use a finer write interval to see the mesh before, "
-                << "and change the motion solver's coefficients or the mesh"
-                << exit(FatalError);
+            stopInverted(s, depth*end.volume);
         }
-        Eigen::Matrix<double, dim, dim> rest =
-            Eigen::Matrix<double, dim, dim>::Zero();
-        areas_[s] = depth*simplex::areas(e, rest);
-        inverseHeight_[s] =
-            std::sqrt(areas_[s].colwise().squaredNorm().maxCoeff())
-           /volume_[s];
         for (int a = 0; a <= dim; ++a)
         {
-            nodeVolume[nodes(s)[a]] += volume_[s]/(dim + 1);
+            volumeAtEnd[node[a]] += depth*end.nodal[a];
+        }
+
+        for (int t = 0; t < nTimes; ++t)
+        {
+            const double c = atRest ? 1 : gaussPoints[t];
+            for (int a = 0; a <= dim; ++a)
+            {
+                x[a] = (1 - c)*x0[a] + c*x1[a];
+            }
+            const simplexTerms<dim> now
+            (
+                atRest ? end : simplexTerms<dim>(x, k, radial)
+            );
+            const double weight = depth/nTimes;
+
+            double carried[dim + 1];
+            if (!atRest)
+            {
+                Vec sum = Vec::Zero();
+                for (int a = 0; a <= dim; ++a)
+                {
+                    sum += now.nodal[a]*(x1[a] - x0[a]);
+                }
+                sum /= dt*now.plainVolume*(dim + 1);
+                for (int a = 0; a <= dim; ++a)
+                {
+                    carried[a] = sum.dot(now.B.col(a));
+                }
+            }
+
+            int e = 0;
+            for (int a = 0; a < dim; ++a)
+            {
+                for (int b = a + 1; b <= dim; ++b, ++e)
+                {
+                    gasRow& sums = edgeSums_[edge[e]];
+                    const double sense = node[a] < node[b] ? weight : -weight;
+                    const Vec S = now.dualFace(a, b);
+                    for (int i = 0; i < dim; ++i)
+                    {
+                        sums[i] += sense*S[i];
+                    }
+                    sums[massAt] +=
+                        weight*now.volume/((dim + 1)*(dim + 2));
+                    sums[stiffnessAt] -=
+                        weight*now.B.col(a).dot(now.B.col(b))*now.volume
+                       /(now.plainVolume*now.plainVolume);
+                    sums[lengthAt] += (x[a] - x[b]).norm();
+                    sums[countAt] += 1;
+                    if (!atRest)
+                    {
+                        sums[sweepAt] += sense*(carried[b] - carried[a]);
+                    }
+                }
+            }
+            for (int a = 0; k && a <= dim; ++a)
+            {
+                hoop_[node[a]] += weight*now.plainVolume*now.hoopMoment(a);
+            }
+        }
+        edge += (dim*(dim + 1))/2;
+    }
+
+    mesh_.exchange().sum(volumeAtEnd.data(), 1, 1);
+    if (k)
+    {
+        mesh_.exchange().sum(hoop_.data(), 1, 1);
+    }
+}
+
+
+template<int dim>
+void Foam::gasGeometry<dim>::setEdges()
+{
+    // Edges with copies on other processors: the sums of all their simplices.
+    // What follows the edge's direction must have the same one everywhere.
+    const sharedItems& exchange = mesh_.edgeExchange();
+    auto turn = [&]
+    {
+        for (const label e : exchange.shared())
+        {
+            const label sense = mesh_.edgeSense(e);
+            gasRow& sums = edgeSums_[e];
+            for (int i = 0; i < dim; ++i)
+            {
+                sums[i] *= sense;
+            }
+            sums[sweepAt] *= sense;
+        }
+    };
+    turn();
+    exchange.sum(data(edgeSums_), gasKernel::rowSize, gasKernel::rowSize);
+    turn();
+
+    for (label i = 0; i < nEdges_; ++i)
+    {
+        const gasRow& sums = edgeSums_[meshEdge_[i]];
+        double square = 0;
+        for (int k = 0; k < dim; ++k)
+        {
+            area_[k][i] = sums[k];
+            square += sums[k]*sums[k];
+        }
+        magArea_[i] = std::sqrt(square);
+        mass_[i] = sums[massAt];
+        stiffness_[i] = sums[stiffnessAt];
+        sweep_[i] = sums[sweepAt];
+        const double length = sums[lengthAt]/sums[countAt];
+        inverseLengthArea_[i] =
+            magArea_[i] > 1e-12*mass_[i]/length ? 1/(length*magArea_[i]) : 0;
+    }
+}
+
+
+template<int dim>
+void Foam::gasGeometry<dim>::addFacet
+(
+    const fePatch& patch,
+    const label i,
+    const Vec* x,
+    const double weight,
+    facetIntegrals& f
+) const
+{
+    const int k = curvature();
+    double r[dim];
+    int n = 0;
+    for (int a = 0; a <= dim; ++a)
+    {
+        if (a != patch.opposite[i])
+        {
+            r[n++] = k ? x[a][radial()] : 1;
+        }
+    }
+    const simplexTerms<dim> terms(x, 0, 0);
+    const Vec S =
+        weight*mesh_.depth()
+       *simplex::outwardArea<dim>(terms.B, patch.opposite[i]);
+    for (int a = 0; a < dim; ++a)
+    {
+        for (int b = 0; b < dim; ++b)
+        {
+            f.M[a][b] += facetWeight<dim>(k, r, a, b)*S;
+        }
+    }
+}
+
+
+template<int dim>
+void Foam::gasGeometry<dim>::setFacets
+(
+    const pointField& from,
+    const pointField& to
+)
+{
+    const bool atRest = (&from == &to);
+    const int nTimes = atRest ? 1 : 2;
+
+    forAll(mesh_.patches(), patchi)
+    {
+        const fePatch& patch = mesh_.patches()[patchi];
+        forAll(patch.facetSimplex, i)
+        {
+            facets_[patchi][i] = facetIntegrals();
+            const label* corner =
+                mesh_.simplexCorners().cdata()
+              + (dim + 1)*patch.facetSimplex[i];
+            for (int t = 0; t < nTimes; ++t)
+            {
+                const double c = atRest ? 1 : gaussPoints[t];
+                Vec x[dim + 1];
+                for (int a = 0; a <= dim; ++a)
+                {
+                    x[a] = mesh_.components<dim>
+                    (
+                        (1 - c)*from[corner[a]] + c*to[corner[a]]
+                    );
+                }
+                addFacet(patch, i, x, 1.0/nTimes, facets_[patchi][i]);
+            }
         }
     }
 }
@@ -71,10 +340,14 @@ template<int dim>
 void Foam::gasGeometry<dim>::begin()
 {
     moving_ = false;
-    if (hasMoved_)
+    if (!isPresent_)
     {
         std::fill(w_.begin(), w_.end(), Vec::Zero());
-        hasMoved_ = false;
+        const tmp<pointField> corners(mesh_.cornerPositions(mesh_.nodes()));
+        sumSimplices(corners(), corners(), 1, nodeVolume_);
+        setEdges();
+        setFacets(corners(), corners());
+        isPresent_ = true;
     }
 }
 
@@ -87,38 +360,17 @@ void Foam::gasGeometry<dim>::begin
 )
 {
     moving_ = true;
-    hasMoved_ = true;
+    isPresent_ = false;
     newNodes_ = newNodes;
-    stepAreas_.resize(nSimplices());
-    newVolume_.resize(nSimplices());
-    newNodeVolume_.assign(nNodes(), 0.0);
-    const double depth = mesh_.depth();
-
     for (label a = 0; a < nNodes(); ++a)
     {
         w_[a] = mesh_.components<dim>(newNodes[a] - mesh_.nodes()[a])/dt;
     }
-
-    for (label s = 0; s < nSimplices(); ++s)
-    {
-        Vec x0[dim + 1], x1[dim + 1];
-        for (int a = 0; a <= dim; ++a)
-        {
-            x0[a] = position(nodes(s)[a]);
-            x1[a] = mesh_.components<dim>(newNodes[nodes(s)[a]]);
-        }
-        const Eigen::Matrix<double, dim, dim> e0 = simplex::edges<dim>(x0);
-        const Eigen::Matrix<double, dim, dim> e1 = simplex::edges<dim>(x1);
-        const Eigen::Matrix<double, dim, dim> mid = 0.5*(e0 + e1);
-        const Eigen::Matrix<double, dim, dim> delta = e1 - e0;
-        stepAreas_[s] = depth*simplex::areas(mid, delta);
-        newVolume_[s] = depth*simplex::volume<dim>(e1);
-        const double share = newVolume_[s]/(dim + 1);
-        for (int a = 0; a <= dim; ++a)
-        {
-            newNodeVolume_[nodes(s)[a]] += share;
-        }
-    }
+    const tmp<pointField> from(mesh_.cornerPositions(mesh_.nodes()));
+    const tmp<pointField> to(mesh_.cornerPositions(newNodes));
+    sumSimplices(from(), to(), dt, newNodeVolume_);
+    setEdges();
+    setFacets(from(), to());
 }
 
 
@@ -128,9 +380,67 @@ void Foam::gasGeometry<dim>::end()
     if (moving_)
     {
         mesh_.moveNodes(newNodes_);
-        compute(newNodes_, nodeVolume_);
+        std::swap(nodeVolume_, newNodeVolume_);
         moving_ = false;
     }
+}
+
+
+template<int dim>
+gasKernel::edges Foam::gasGeometry<dim>::edges() const
+{
+    gasKernel::edges e{};
+    e.n = first_.size();
+    e.first = first_.data();
+    e.second = second_.data();
+    for (int k = 0; k < dim; ++k)
+    {
+        e.area[k] = area_[k].data();
+    }
+    e.magArea = magArea_.data();
+    e.inverseLengthArea = inverseLengthArea_.data();
+    e.mass = mass_.data();
+    e.stiffness = stiffness_.data();
+    e.sweep = isPresent_ ? nullptr : sweep_.data();
+    return e;
+}
+
+
+template<int dim>
+typename Foam::gasGeometry<dim>::facetIntegrals
+Foam::gasGeometry<dim>::presentFacet(const fePatch& patch, const label i) const
+{
+    const label* corner =
+        mesh_.simplexCorners().cdata() + (dim + 1)*patch.facetSimplex[i];
+    Vec x[dim + 1];
+    for (int a = 0; a <= dim; ++a)
+    {
+        x[a] = mesh_.components<dim>(mesh_.corners()[corner[a]]);
+    }
+    facetIntegrals f;
+    addFacet(patch, i, x, 1, f);
+    return f;
+}
+
+
+template<int dim>
+typename Foam::gasGeometry<dim>::Vec
+Foam::gasGeometry<dim>::presentFacetArea
+(
+    const fePatch& patch,
+    const label i
+) const
+{
+    const facetIntegrals f(presentFacet(patch, i));
+    Vec S = Vec::Zero();
+    for (const auto& row : f.M)
+    {
+        for (const Vec& M : row)
+        {
+            S += M;
+        }
+    }
+    return S;
 }
 
 

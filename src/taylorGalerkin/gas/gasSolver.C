@@ -6,6 +6,7 @@
 #include "gasProperties.H"
 #include "dictionaryCheck.H"
 #include "OStringStream.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
 
 namespace
@@ -98,20 +99,29 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
     ),
     boundary_(geometry_, state_.eos, p_, U_, T_),
     shockCapturing_(shockCapturing<dim>::New(feSchemes_)),
-    timeScheme_(timeScheme<dim>::New(feSchemes_)),
+    timeScheme_
+    (
+        timeScheme<dim>::New(feSchemes_, geometry_, shockCapturing_())
+    ),
+    rates_(geometry_),
     stable_(),
     stableIsUpToDate_(false)
 {
     checkKeywords(feSchemes_, {"timeScheme", "shockCapturing"});
     readState();
 
-    Info<< "Gas: " << mesh_.nNodes() << " nodes, " << mesh_.nSimplices()
+    Info<< "Gas: "
+        << returnReduce(mesh_.exchange().nOwned(), sumOp<label>())
+        << " nodes, "
+        << returnReduce(mesh_.nSimplices(), sumOp<label>())
         << (dim == 1 ? " lines" : dim == 2 ? " triangles" : " tetrahedra")
         << nl << "    R " << state_.eos.R() << " J/(kg K), gamma "
         << state_.eos.gamma() << nl
         << "    timeScheme " << feSchemes_.get<word>("timeScheme")
-        << ", shockCapturing " << feSchemes_.get<word>("shockCapturing") << nl
-        << endl;
+        << ", shockCapturing "
+        << feSchemes_.getOrDefault<word>("shockCapturing", "fluxCorrected")
+        << nl << "    " << gasKernel::gasKernels<dim>::best().name
+        << " instructions" << nl << endl;
 }
 
 
@@ -121,7 +131,7 @@ void Foam::gasSolver<dim>::readState()
     for (label a = 0; a < mesh_.nNodes(); ++a)
     {
         const label pointi = mesh_.pointOfNode()[a];
-        state_.U[a] = gasDynamics::conserved<dim>
+        state_.conserved(a) = gasDynamics::conserved<dim>
         (
             state_.eos,
             state_.eos.density(p_[pointi], T_[pointi]),
@@ -129,10 +139,10 @@ void Foam::gasSolver<dim>::readState()
             p_[pointi]
         );
     }
-    boundary_.impose(state_.U);
+    boundary_.impose(state_.rows);
 
     const label bad = state_.derive();
-    if (bad >= 0)
+    if (bad >= 0 && bad < mesh_.nNodes())
     {
         const label pointi = mesh_.pointOfNode()[bad];
         FatalErrorInFunction
@@ -142,7 +152,23 @@ void Foam::gasSolver<dim>::readState()
             << "    Change " << p_.objectPath() << ", T or U"
             << exit(FatalError);
     }
+    findReferencePressure();
     updateFields();
+}
+
+
+template<int dim>
+void Foam::gasSolver<dim>::findReferencePressure()
+{
+    // The median: ambient gas fills at least half of most scenes
+    std::vector<double> p(mesh_.nNodes());
+    for (label a = 0; a < mesh_.nNodes(); ++a)
+    {
+        p[a] = state_.p(a);
+    }
+    std::nth_element(p.begin(), p.begin() + p.size()/2, p.end());
+    state_.pRef = p[p.size()/2];
+    Pstream::scatter(state_.pRef);
 }
 
 
@@ -152,7 +178,19 @@ const Foam::stableStep& Foam::gasSolver<dim>::stable()
     if (!stableIsUpToDate_)
     {
         shockCapturing_->correct(geometry_, state_);
-        stable_ = findStableStep(geometry_, state_);
+        if (geometry_.edges().sweep)
+        {
+            rates_.sumSpeeds(geometry_, state_);
+        }
+        else
+        {
+            // The sums that the step needs give the speeds as well
+            rates_.sumEdges(geometry_, state_);
+        }
+        stable_ = findStableStep
+        (
+            geometry_, rates_.speed, shockCapturing_->nodalNu()
+        );
         stableIsUpToDate_ = true;
     }
     return stable_;
@@ -160,34 +198,56 @@ const Foam::stableStep& Foam::gasSolver<dim>::stable()
 
 
 template<int dim>
-void Foam::gasSolver<dim>::stop
+void Foam::gasSolver<dim>::stopIfBad
 (
     const label node,
     const string& what,
     const scalar dt
 )
 {
-    state_.U = oldU_;
-    state_.derive();
+    // The lowest processor that found a bad state speaks for all
+    label teller = node >= 0 ? Pstream::myProcNo() : labelMax;
+    reduce(teller, minOp<label>());
+    if (teller == labelMax)
+    {
+        return;
+    }
+
+    state_.rows = oldRows_;
+    rates_.clear();
     stableIsUpToDate_ = false;
-    const scalar courant = dt/stable().deltaT;
+    stable();
+
+    // The state of the step's start belongs to the time before
+    Time& runTime = const_cast<Time&>(mesh_.poly().time());
+    const word failedAt(runTime.timeName());
+    runTime.setTime(runTime.value() - dt, runTime.timeIndex() - 1);
     updateFields();
     p_.write();
     U_.write();
     T_.write();
     rho_.write();
 
-    FatalErrorInFunction
-        << "The gas is no longer in a physical state at time "
-        << mesh_.poly().time().timeName() << " s:" << nl
-        << "    node " << node << " at " << mesh_.nodes()[node] << ": "
-        << what.c_str() << nl
-        << "    the step of " << dt << " s was " << courant
-        << " times the stable one of the state before" << nl
-        << "    The state before this step is written to "
-        << p_.instance() << nl
-        << "    Try a smaller maxCo or deltaT, more artificial viscosity "
-        << "(qDif), or a finer mesh there" << exit(FatalError);
+    if (teller == Pstream::myProcNo())
+    {
+        FatalErrorInFunction
+            << "The gas is no longer in a physical state at time "
+            << failedAt << " s:" << nl
+            << "    node " << mesh_.globalNode()[node] << " at "
+            << mesh_.nodes()[node] << ": " << what.c_str() << nl
+            << "    before the step it had rho = " << state_.rho(node)
+            << " kg/m3, p = " << state_.p(node) << " Pa, U = "
+            << mesh_.fullVector<dim>(state_.velocity(node)) << " m/s" << nl
+            << "    the step of " << dt << " s was Courant number "
+            << dt*rates_.speed[node]/geometry_.nodeVolume(node)
+            << " there and " << dt/stable_.deltaT << " at most" << nl
+            << "    The state before this step is written to "
+            << p_.instance() << nl
+            << "    Try a smaller maxCo or deltaT, shockCapturing "
+            << "fluxCorrected, or a finer mesh there" << exit(FatalError);
+    }
+    // The others wait here until the error has ended the run
+    returnReduce(true, andOp<bool>());
 }
 
 
@@ -196,31 +256,42 @@ void Foam::gasSolver<dim>::step(const scalar dt)
 {
     // The artificial viscosity belongs to the state at the step's start
     stable();
-    oldU_ = state_.U;
+    oldRows_ = state_.rows;
 
+    label bad = -1;
+    OStringStream what;
     try
     {
-        timeScheme_->step(geometry_, boundary_, state_, dt);
+        timeScheme_->step
+        (
+            geometry_, boundary_, shockCapturing_(), rates_, state_, dt
+        );
     }
-    catch (const unphysicalSimplex& e)
+    catch (const unphysicalEdge& e)
     {
-        OStringStream what;
-        what<< "half step of cell " << mesh_.cellOfSimplex()[e.simplex]
-            << " has rho = " << e.rho << " kg/m3, p = " << e.p << " Pa";
-        stop(geometry_.nodes(e.simplex)[0], what.str(), dt);
+        bad = e.first;
+        if (bad >= 0) what<< "no physical state at the half step between it and "
+            << mesh_.nodes()[e.second];
     }
+    catch (const unphysicalNode& e)
+    {
+        bad = e.node;
+        what<< "rho = " << e.rho << " kg/m3, p = " << e.p
+            << " Pa in the low-order state";
+    }
+    rates_.clear();
+    stopIfBad(bad, what.str(), dt);
 
     geometry_.end();
-    boundary_.impose(state_.U);
+    boundary_.impose(state_.rows);
 
-    const label bad = state_.derive();
+    bad = state_.derive();
     if (bad >= 0)
     {
-        OStringStream what;
-        what<< "rho = " << state_.U[bad][0] << " kg/m3, p = "
-            << state_.p[bad] << " Pa";
-        stop(bad, what.str(), dt);
+        what<< "rho = " << state_.rho(bad) << " kg/m3, p = "
+            << state_.p(bad) << " Pa";
     }
+    stopIfBad(bad, what.str(), dt);
     stableIsUpToDate_ = false;
 }
 
@@ -228,7 +299,13 @@ void Foam::gasSolver<dim>::step(const scalar dt)
 template<int dim>
 void Foam::gasSolver<dim>::advance(const scalar dt)
 {
-    geometry_.begin();
+    if (geometry_.edges().sweep)
+    {
+        // The mesh has come to rest
+        geometry_.begin();
+        rates_.clear();
+        stableIsUpToDate_ = false;
+    }
     step(dt);
 }
 
@@ -240,8 +317,9 @@ void Foam::gasSolver<dim>::advance
     const pointField& newNodes
 )
 {
-    // Viscosity and stable step use the mesh of the step's start
+    // Viscosity and stable step belong to the mesh of the step's start
     stable();
+    rates_.clear();
     geometry_.begin(dt, newNodes);
     step(dt);
     boundary_.updateNormals();

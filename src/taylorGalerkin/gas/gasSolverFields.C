@@ -3,6 +3,7 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "gasSolver.H"
+#include "PstreamReduceOps.H"
 
 template<int dim>
 void Foam::gasSolver<dim>::updateFields()
@@ -19,10 +20,10 @@ void Foam::gasSolver<dim>::updateFields()
     forAll(nodeOfPoint, pointi)
     {
         const label a = nodeOfPoint[pointi];
-        rho[pointi] = state_.U[a][0];
-        p[pointi] = state_.p[a];
-        T[pointi] = eos.temperature(state_.p[a], state_.U[a][0]);
-        U[pointi] = mesh_.fullVector<dim>(state_.velocity[a]);
+        rho[pointi] = state_.rho(a);
+        p[pointi] = state_.p(a);
+        T[pointi] = eos.temperature(state_.p(a), state_.rho(a));
+        U[pointi] = mesh_.fullVector<dim>(state_.velocity(a));
     }
 }
 
@@ -43,11 +44,11 @@ Foam::tmp<Foam::vectorField> Foam::gasSolver<dim>::pressureForces
         Vec force[dim];
         for (int b = 0; b < dim; ++b)
         {
-            p[b] = state_.p[patch.facets[dim*i + b]] - pRef;
+            p[b] = state_.p(patch.facets[dim*i + b]) - pRef;
         }
         gasBoundary<dim>::facetForces
         (
-            p, geometry_.presentFacetArea(patch, i), force
+            p, geometry_.presentFacet(patch, i), force
         );
         for (int b = 0; b < dim; ++b)
         {
@@ -66,7 +67,14 @@ Foam::gasTotals Foam::gasSolver<dim>::totals() const
     State sum = State::Zero();
     for (label a = 0; a < mesh_.nNodes(); ++a)
     {
-        sum += geometry_.nodeVolume(a)*state_.U[a];
+        if (mesh_.exchange().owned(a))
+        {
+            sum += geometry_.nodeVolume(a)*State(state_.conserved(a));
+        }
+    }
+    for (int k = 0; k < dim + 2; ++k)
+    {
+        reduce(sum[k], sumOp<scalar>());
     }
     return gasTotals
     {
@@ -83,8 +91,8 @@ Foam::gasExtrema Foam::gasSolver<dim>::extrema() const
     gasExtrema e{GREAT, -GREAT, GREAT, -GREAT, GREAT, -GREAT};
     for (label a = 0; a < mesh_.nNodes(); ++a)
     {
-        const scalar p = state_.p[a];
-        const scalar rho = state_.U[a][0];
+        const scalar p = state_.p(a);
+        const scalar rho = state_.rho(a);
         const scalar T = state_.eos.temperature(p, rho);
         e.minP = min(e.minP, p);
         e.maxP = max(e.maxP, p);
@@ -92,6 +100,14 @@ Foam::gasExtrema Foam::gasSolver<dim>::extrema() const
         e.maxRho = max(e.maxRho, rho);
         e.minT = min(e.minT, T);
         e.maxT = max(e.maxT, T);
+    }
+    for (scalar* least : {&e.minP, &e.minRho, &e.minT})
+    {
+        reduce(*least, minOp<scalar>());
+    }
+    for (scalar* largest : {&e.maxP, &e.maxRho, &e.maxT})
+    {
+        reduce(*largest, maxOp<scalar>());
     }
     return e;
 }

@@ -11,39 +11,27 @@ Foam::gasState<dim>::gasState
     const gasGeometry<dim>& geometry
 )
 :
+    nNodes_(geometry.nNodes()),
     eos(gas),
-    U(geometry.nNodes(), State::Zero()),
-    p(geometry.nNodes(), 0.0),
-    velocity(geometry.nNodes(), Vec::Zero()),
-    soundSpeed(geometry.nNodes(), 0.0),
-    mu(geometry.nSimplices(), 0.0)
-{}
+    rows(geometry.nRows(), uniformRow(0)),
+    pRef(0)
+{
+    for (gasRow& row : rows)
+    {
+        row[0] = 1;
+        row[place::energy] = 1;
+    }
+}
 
 
 template<int dim>
 Foam::label Foam::gasState<dim>::derive()
 {
-    label bad = -1;
-    for (std::size_t a = 0; a < U.size(); ++a)
-    {
-        velocity[a] = U[a].template segment<dim>(1)/U[a][0];
-        p[a] =
-            (eos.gamma() - 1)
-           *(
-                U[a][dim + 1]
-              - 0.5*velocity[a].dot(U[a].template segment<dim>(1))
-            );
-
-        // Written so that NaN fails too
-        if (U[a][0] > 0 && p[a] > 0 && std::isfinite(p[a]))
-        {
-            soundSpeed[a] = eos.soundSpeed(p[a], U[a][0]);
-        }
-        else if (bad < 0)
-        {
-            bad = a;
-        }
-    }
+    const label n = label(rows.size());
+    const long bad = gasKernel::gasKernels<dim>::best().derive
+    (
+        kernelGas(), data(rows), 0, n
+    );
     return bad;
 }
 

@@ -3,63 +3,75 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "stableStep.H"
+#include "PstreamReduceOps.H"
 
 template<int dim>
 Foam::stableStep Foam::findStableStep
 (
     const gasGeometry<dim>& geometry,
-    const gasState<dim>& state
+    const std::vector<double>& speed,
+    const std::vector<double>& viscosity
 )
 {
-    const label nNodes = geometry.nNodes();
-    std::vector<double> convection(nNodes, 0.0);
-    std::vector<double> diffusion(nNodes, 0.0);
+    const feMesh& mesh = geometry.mesh();
+    const bool viscous = viscosity.size();
 
-    std::vector<double> speed(nNodes);
-    for (label a = 0; a < nNodes; ++a)
+    stableStep result{GREAT, -1, point::zero, 0, 0, 0, 0};
+    scalar sum = 0;
+    label count = 0;
+    label least = -1;
+    for (label a = 0; a < geometry.nNodes(); ++a)
     {
-        speed[a] =
-            (state.velocity[a] - geometry.w(a)).norm() + state.soundSpeed[a];
-    }
-
-    for (label s = 0; s < geometry.nSimplices(); ++s)
-    {
-        const label* nodes = geometry.nodes(s);
-        const auto& B = geometry.areas(s);
-        double fastest = 0;
-        const double diffusivity = state.mu[s]/geometry.volume(s);
-        for (int a = 0; a <= dim; ++a)
-        {
-            fastest = std::max(fastest, speed[nodes[a]]);
-            diffusion[nodes[a]] += diffusivity*B.col(a).squaredNorm();
-        }
-
-        // Eq. (G10)
-        const double rate = fastest*geometry.inverseHeight(s);
-        for (int a = 0; a <= dim; ++a)
-        {
-            convection[nodes[a]] = std::max(convection[nodes[a]], rate);
-        }
-    }
-
-    stableStep result{GREAT, -1, 0, 0, 0, 0};
-    for (label a = 0; a < nNodes; ++a)
-    {
-        const double c = convection[a];
-        const double d = diffusion[a]/geometry.nodeVolume(a);
+        // Sums over the edges per volume, eqs. (G10), (G11)
+        const double c = speed[a]/geometry.nodeVolume(a);
+        const double d =
+            viscous ? viscosity[a]/geometry.nodeVolume(a) : 0;
 
         // Root of (dt c)^2 + dt d = 1, eq. (G12)
         const double dt = 2/(d + std::sqrt(d*d + 4*c*c));
         if (dt < result.deltaT)
         {
             result.deltaT = dt;
-            result.node = a;
             result.convection = c;
             result.diffusion = d;
+            least = a;
         }
         result.maxConvection = max(result.maxConvection, c);
-        result.meanConvection += c/nNodes;
+        if (mesh.exchange().owned(a))
+        {
+            sum += c;
+            ++count;
+        }
     }
+    if (least >= 0)
+    {
+        result.node = mesh.globalNode()[least];
+        result.position = mesh.nodes()[least];
+    }
+
+    if (Pstream::parRun())
+    {
+        // The processor with the least step tells the others
+        const scalar own = result.deltaT;
+        reduce(result.deltaT, minOp<scalar>());
+        label teller =
+            own == result.deltaT ? Pstream::myProcNo() : labelMax;
+        reduce(teller, minOp<label>());
+        if (teller != Pstream::myProcNo())
+        {
+            result.node = -1;
+            result.position = point::min;
+            result.convection = result.diffusion = -1;
+        }
+        reduce(result.node, maxOp<label>());
+        reduce(result.position, maxOp<point>());
+        reduce(result.convection, maxOp<scalar>());
+        reduce(result.diffusion, maxOp<scalar>());
+        reduce(result.maxConvection, maxOp<scalar>());
+        reduce(sum, sumOp<scalar>());
+        reduce(count, sumOp<label>());
+    }
+    result.meanConvection = sum/max(count, label(1));
     return result;
 }
 
@@ -68,14 +80,20 @@ namespace Foam
 {
     template stableStep findStableStep<1>
     (
-        const gasGeometry<1>&, const gasState<1>&
+        const gasGeometry<1>&,
+        const std::vector<double>&,
+        const std::vector<double>&
     );
     template stableStep findStableStep<2>
     (
-        const gasGeometry<2>&, const gasState<2>&
+        const gasGeometry<2>&,
+        const std::vector<double>&,
+        const std::vector<double>&
     );
     template stableStep findStableStep<3>
     (
-        const gasGeometry<3>&, const gasState<3>&
+        const gasGeometry<3>&,
+        const std::vector<double>&,
+        const std::vector<double>&
     );
 }

@@ -24,57 +24,45 @@ template<int dim>
 void Foam::pressureLaplacian<dim>::correct
 (
     const gasGeometry<dim>& geometry,
-    gasState<dim>& state
+    const gasState<dim>& state
 )
 {
+    const gasKernel::edges e = geometry.edges();
     const label nNodes = geometry.nNodes();
-    const label nSimplices = geometry.nSimplices();
-    constexpr double factorial[] = {1, 1, 2, 6};
-    const double scale = factorial[dim]/geometry.mesh().depth();
 
-    laplacian_.assign(nNodes, 0.0);
-    for (label s = 0; s < nSimplices; ++s)
+    laplacian_.assign(geometry.nRows(), 0.0);
+    for (std::size_t k = 0; k < e.n; ++k)
     {
-        const label* nodes = geometry.nodes(s);
-        const auto& B = geometry.areas(s);
-        simplexVec<dim> VgradP = simplexVec<dim>::Zero();
-        for (int a = 0; a <= dim; ++a)
-        {
-            VgradP += state.p[nodes[a]]*B.col(a);
-        }
-        const simplexVec<dim> gradP = VgradP/geometry.volume(s);
-        for (int a = 0; a <= dim; ++a)
-        {
-            laplacian_[nodes[a]] -= B.col(a).dot(gradP);
-        }
+        const int i = e.first[k], j = e.second[k];
+        const double flow = e.stiffness[k]*(state.p(j) - state.p(i));
+        laplacian_[i] += flow;
+        laplacian_[j] -= flow;
     }
+    geometry.mesh().exchange().sum(laplacian_.data(), 1, 1);
+
+    // Viscosity of the nodes. A node's share of a simplex of side h is h^dim
+    // on average.
+    const double depth = geometry.mesh().depth();
     for (label a = 0; a < nNodes; ++a)
     {
-        laplacian_[a] = std::abs(laplacian_[a])/geometry.nodeVolume(a);
-    }
-
-    for (label s = 0; s < nSimplices; ++s)
-    {
-        const label* nodes = geometry.nodes(s);
-        double sumLaplacian = 0;
-        double sumP = 0;
-        double sumSpeed = 0;
-        for (int a = 0; a <= dim; ++a)
-        {
-            const label i = nodes[a];
-            sumLaplacian += laplacian_[i];
-            sumP += state.p[i];
-            sumSpeed +=
-                (state.velocity[i] - geometry.w(i)).norm()
-              + state.soundSpeed[i];
-        }
-        // Not pow, which costs as much as the rest
-        const double hd = scale*geometry.volume(s);
+        const double hd = geometry.nodeVolume(a)/depth;
         const double h =
             dim == 1 ? hd : dim == 2 ? std::sqrt(hd) : std::cbrt(hd);
-        state.mu[s] =
-            qDif_*h*h*h*sumSpeed/(dim + 1)*sumLaplacian/sumP;
+        const double speed =
+            (state.velocity(a) - geometry.w(a)).norm() + state.soundSpeed(a);
+        laplacian_[a] =
+            qDif_*h*h*h*speed/state.p(a)
+           *std::abs(laplacian_[a])/geometry.nodeVolume(a);
     }
+
+    this->nu_.assign(e.n, 0.0);
+    for (std::size_t k = 0; k < e.n; ++k)
+    {
+        this->nu_[k] =
+            0.5*(laplacian_[e.first[k]] + laplacian_[e.second[k]])
+           *e.stiffness[k];
+    }
+    this->sumAtNodes(geometry);
 }
 
 

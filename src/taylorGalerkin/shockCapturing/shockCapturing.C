@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 #include "shockCapturing.H"
 #include "pressureLaplacian.H"
+#include "pressureSwitch.H"
 #include "dictionaryCheck.H"
 
 template<int dim>
@@ -12,11 +13,28 @@ Foam::autoPtr<Foam::shockCapturing<dim>> Foam::shockCapturing<dim>::New
     const dictionary& feSchemes
 )
 {
-    const wordList choices({"none", "pressureLaplacian"});
+    const wordList choices
+    (
+        {"fluxCorrected", "pressureSwitch", "pressureLaplacian", "none"}
+    );
+    if (!feSchemes.found("shockCapturing"))
+    {
+        return autoPtr<shockCapturing<dim>>(new fluxCorrected<dim>());
+    }
 
     switch (selectEntry(feSchemes, "shockCapturing", choices))
     {
         case 0:
+            return autoPtr<shockCapturing<dim>>(new fluxCorrected<dim>());
+        case 1:
+            return autoPtr<shockCapturing<dim>>
+            (
+                new pressureSwitch<dim>
+                (
+                    coeffsDict(feSchemes, "pressureSwitch")
+                )
+            );
+        case 3:
             return autoPtr<shockCapturing<dim>>(new noShockCapturing<dim>());
         default:
             return autoPtr<shockCapturing<dim>>
@@ -27,6 +45,20 @@ Foam::autoPtr<Foam::shockCapturing<dim>> Foam::shockCapturing<dim>::New
                 )
             );
     }
+}
+
+
+template<int dim>
+void Foam::shockCapturing<dim>::sumAtNodes(const gasGeometry<dim>& geometry)
+{
+    const gasKernel::edges e = geometry.edges();
+    nodalNu_.assign(geometry.nRows(), 0.0);
+    for (std::size_t k = 0; k < e.n; ++k)
+    {
+        nodalNu_[e.first[k]] += nu_[k];
+        nodalNu_[e.second[k]] += nu_[k];
+    }
+    geometry.mesh().exchange().sum(nodalNu_.data(), 1, 1);
 }
 
 

@@ -5,11 +5,46 @@
 #include "threeStep.H"
 #include "dictionaryCheck.H"
 
+namespace
+{
+
+//- What an edge is to a flux: nodes, dual area, volume swept per time
 template<int dim>
-Foam::threeStep<dim>::threeStep(const dictionary& coeffs)
+struct fluxEdge
+{
+    int i, j;
+    Foam::simplexVec<dim> S;
+    double sweep;
+
+    fluxEdge(const gasKernel::edges& e, const std::size_t k)
+    :
+        i(e.first[k]),
+        j(e.second[k]),
+        sweep(e.sweep ? e.sweep[k] : 0)
+    {
+        for (int c = 0; c < dim; ++c)
+        {
+            S[c] = e.area[c][k];
+        }
+    }
+};
+
+} // End namespace
+
+
+template<int dim>
+Foam::threeStep<dim>::threeStep
+(
+    const dictionary& coeffs,
+    const gasGeometry<dim>& geometry
+)
 :
     theta_(coeffs.getOrDefault<scalar>("theta", 0.5)),
-    updatedEnergyFlux_(true)
+    updatedEnergyFlux_(true),
+    massFlux_(geometry.nRows(), Vec::Zero()),
+    carrier_(geometry.nRows(), Vec::Zero()),
+    residual_(geometry.nRows(), uniformRow(0)),
+    newU_(geometry.nRows(), State::Zero())
 {
     checkKeywords(coeffs, {"theta", "energyFlux"});
     if (coeffs.found("energyFlux"))
@@ -27,48 +62,60 @@ Foam::threeStep<dim>::threeStep(const dictionary& coeffs)
 
 
 template<int dim>
+void Foam::threeStep<dim>::advance
+(
+    const gasGeometry<dim>& geometry,
+    const gasState<dim>& state,
+    const int from,
+    const int to
+)
+{
+    geometry.mesh().exchange().sum
+    (
+        data(residual_) + from, gasKernel::rowSize, to - from
+    );
+    for (label a = 0; a < geometry.nNodes(); ++a)
+    {
+        for (int k = from; k < to; ++k)
+        {
+            newU_[a][k] =
+                (geometry.nodeVolume(a)*state.rows[a][k] + residual_[a][k])
+               /geometry.newNodeVolume(a);
+        }
+    }
+}
+
+
+template<int dim>
 void Foam::threeStep<dim>::addMomentum
 (
     const gasGeometry<dim>& geometry,
     const gasState<dim>& state,
+    const gasRows& rate,
     const double dt
 )
 {
-    for (label s = 0; s < geometry.nSimplices(); ++s)
+    const gasKernel::edges edges = geometry.edges();
+    for (label k = 0; k < geometry.nEdges(); ++k)
     {
-        const label* nodes = geometry.nodes(s);
-        const auto& B0 = geometry.areas(s);
-        const Vec w = geometry.moving() ? geometry.meanW(s) : Vec::Zero();
-
-        gasDynamics::Flux<dim> F = gasDynamics::Flux<dim>::Zero();
-        State mean = State::Zero();
-        State divergence = State::Zero();
-        Vec velocity = Vec::Zero();
-        for (int a = 0; a <= dim; ++a)
-        {
-            const label i = nodes[a];
-            const auto Fa =
-                gasDynamics::eulerFlux<dim>(state.U[i], state.p[i]);
-            F += Fa;
-            mean += state.U[i];
-            velocity += state.velocity[i];
-            divergence += Fa*B0.col(a) - w.dot(B0.col(a))*state.U[i];
-        }
-        F /= dim + 1;
-        mean /= dim + 1;
-        velocity /= dim + 1;
-        divergence /= geometry.volume(s);
-        divergence_[s] = divergence;
-
         // (G17): the second-order term convects with the velocity relative
         // to the mesh
-        const auto& B = geometry.stepAreas(s);
-        F -= mean*w.transpose();
-        F -= 0.5*dt*divergence*(velocity - w).transpose();
-        for (int a = 0; a <= dim; ++a)
+        const fluxEdge<dim> e(edges, k);
+        const double ui = state.velocity(e.i).dot(e.S) - e.sweep;
+        const double uj = state.velocity(e.j).dot(e.S) - e.sweep;
+        const double p = 0.5*(state.p(e.i) + state.p(e.j)) - state.pRef;
+        const double convected = 0.25*dt*0.5*(ui + uj);
+        for (int c = 0; c < dim; ++c)
         {
-            residual_[nodes[a]].template segment<dim>(1) +=
-                dt*(F*B.col(a)).template segment<dim>(1);
+            const int m = 1 + c;
+            const double f = dt*
+            (
+                0.5*(ui*state.rows[e.i][m] + uj*state.rows[e.j][m])
+              + p*e.S[c]
+              + convected*(rate[e.i][m] + rate[e.j][m])
+            );
+            residual_[e.i][m] -= f;
+            residual_[e.j][m] += f;
         }
     }
 }
@@ -79,31 +126,23 @@ void Foam::threeStep<dim>::addDensity
 (
     const gasGeometry<dim>& geometry,
     const gasState<dim>& state,
+    const gasRows& rate,
     const double dt
 )
 {
-    for (label s = 0; s < geometry.nSimplices(); ++s)
+    const gasKernel::edges edges = geometry.edges();
+    for (label k = 0; k < geometry.nEdges(); ++k)
     {
-        const label* nodes = geometry.nodes(s);
-        const auto& B = geometry.stepAreas(s);
-
-        Vec flux = Vec::Zero();
-        double rho = 0;
-        for (int a = 0; a <= dim; ++a)
-        {
-            flux += massFlux_[nodes[a]];
-            rho += state.U[nodes[a]][0];
-        }
-        flux /= dim + 1;
-        if (geometry.moving())
-        {
-            const double half = rho/(dim + 1) - 0.5*dt*divergence_[s][0];
-            flux -= half*geometry.meanW(s);
-        }
-        for (int a = 0; a <= dim; ++a)
-        {
-            residual_[nodes[a]][0] += dt*flux.dot(B.col(a));
-        }
+        const fluxEdge<dim> e(edges, k);
+        const double rho =
+            0.5*(state.rho(e.i) + state.rho(e.j))
+          + 0.25*dt*(rate[e.i][0] + rate[e.j][0]);
+        const double f = dt*
+        (
+            0.5*(massFlux_[e.i] + massFlux_[e.j]).dot(e.S) - e.sweep*rho
+        );
+        residual_[e.i][0] -= f;
+        residual_[e.j][0] += f;
     }
 }
 
@@ -113,55 +152,66 @@ void Foam::threeStep<dim>::addEnergy
 (
     const gasGeometry<dim>& geometry,
     const gasState<dim>& state,
+    const gasRows& rate,
     const double dt
 )
 {
-    for (label s = 0; s < geometry.nSimplices(); ++s)
+    constexpr int E = dim + 1;
+    const gasKernel::edges edges = geometry.edges();
+    for (label k = 0; k < geometry.nEdges(); ++k)
     {
-        const label* nodes = geometry.nodes(s);
-        const auto& B = geometry.stepAreas(s);
-        const Vec w = geometry.moving() ? geometry.meanW(s) : Vec::Zero();
-
-        Vec flux = Vec::Zero();
-        Vec velocity = Vec::Zero();
-        double energy = 0;
-        for (int a = 0; a <= dim; ++a)
+        const fluxEdge<dim> e(edges, k);
+        const double relative =
+            0.5*(state.velocity(e.i) + state.velocity(e.j)).dot(e.S) - e.sweep;
+        auto carried = [&](const int a)
         {
-            const label i = nodes[a];
-            flux += (state.U[i][dim + 1] + state.p[i])*carrier_[i];
-            velocity += state.velocity[i];
-            energy += state.U[i][dim + 1];
-        }
-        flux -= energy*w;
-        flux -= 0.5*dt*divergence_[s][dim + 1]*(velocity - (dim + 1)*w);
-        flux /= dim + 1;
-        for (int a = 0; a <= dim; ++a)
-        {
-            residual_[nodes[a]][dim + 1] += dt*flux.dot(B.col(a));
-        }
+            return
+                (state.rows[a][E] + state.p(a))*carrier_[a].dot(e.S)
+              - e.sweep*state.rows[a][E];
+        };
+        const double f = dt*
+        (
+            0.5*(carried(e.i) + carried(e.j))
+          + 0.25*dt*relative*(rate[e.i][E] + rate[e.j][E])
+        );
+        residual_[e.i][E] -= f;
+        residual_[e.j][E] += f;
     }
 }
 
 
 template<int dim>
-void Foam::threeStep<dim>::addBoundary
+void Foam::threeStep<dim>::addViscosity
 (
-    const gasBoundary<dim>& boundary,
+    const gasGeometry<dim>& geometry,
     const gasState<dim>& state,
+    const std::vector<double>& nu,
     const double dt
 )
 {
-    std::vector<double> wallP;
-    for (const fePatch* patch : boundary.walls())
+    // Artificial diffusion acts on the advanced state, eq. (9) of the paper
+    constexpr int n = gasKernel::place<dim>::nConserved;
+    std::fill(residual_.begin(), residual_.end(), uniformRow(0));
+    const gasKernel::edges edges = geometry.edges();
+    for (label k = 0; k < geometry.nEdges(); ++k)
     {
-        for (const label node : patch->facets)
+        const int i = edges.first[k], j = edges.second[k];
+        for (int c = 0; c < n; ++c)
         {
-            wallP.push_back(state.p[node]);
+            const double f =
+                dt*nu[k]*(state.rows[i][c] - state.rows[j][c]);
+            residual_[i][c] -= f;
+            residual_[j][c] += f;
         }
     }
-    boundary.addWallFluxes(wallP, dt, residual_);
-    boundary.addFarFieldFluxes(state, dt, residual_);
-    boundary.addOpenFluxes(state, dt, residual_);
+    geometry.mesh().exchange().sum(data(residual_), gasKernel::rowSize, n);
+    for (label a = 0; a < geometry.nNodes(); ++a)
+    {
+        for (int c = 0; c < n; ++c)
+        {
+            newU_[a][c] += residual_[a][c]/geometry.newNodeVolume(a);
+        }
+    }
 }
 
 
@@ -169,77 +219,50 @@ template<int dim>
 void Foam::threeStep<dim>::step
 (
     const gasGeometry<dim>& geometry,
-    gasBoundary<dim>& boundary,
+    const gasBoundary<dim>& boundary,
+    const shockCapturing<dim>& capturing,
+    gasRates<dim>& rates,
     gasState<dim>& state,
     const double dt
 )
 {
-    const label nNodes = geometry.nNodes();
-    residual_.assign(nNodes, State::Zero());
-    divergence_.resize(geometry.nSimplices());
-    massFlux_.resize(nNodes);
-    carrier_.resize(nNodes);
-
-    addBoundary(boundary, state, dt);
+    rates.compute(geometry, boundary, state, dt);
+    std::fill(residual_.begin(), residual_.end(), uniformRow(0));
+    boundary.addFluxes(state, dt, residual_);
+    boundary.addHoop(state, dt, residual_);
 
     // Momentum, with the walls' normal velocity, so that the density step
     // sees no flux through them
-    addMomentum(geometry, state, dt);
-    newU_ = state.U;
-    auto advance = [&](const label a, const int k)
-    {
-        newU_[a][k] =
-            (geometry.nodeVolume(a)*state.U[a][k] + residual_[a][k])
-           /geometry.newNodeVolume(a);
-    };
-    for (label a = 0; a < nNodes; ++a)
-    {
-        for (int i = 0; i < dim; ++i)
-        {
-            advance(a, 1 + i);
-        }
-    }
+    addMomentum(geometry, state, rates.rate, dt);
+    advance(geometry, state, 1, 1 + dim);
     boundary.constrainMomentum(newU_);
 
-    for (label a = 0; a < nNodes; ++a)
+    for (label a = 0; a < geometry.nNodes(); ++a)
     {
-        const Vec m = state.U[a].template segment<dim>(1);
+        const Vec m = state.conserved(a).template segment<dim>(1);
         const Vec mNew = newU_[a].template segment<dim>(1);
         massFlux_[a] = m + theta_*(mNew - m);
     }
-    addDensity(geometry, state, dt);
-    for (label a = 0; a < nNodes; ++a)
+    addDensity(geometry, state, rates.rate, dt);
+    advance(geometry, state, 0, 1);
+
+    for (label a = 0; a < geometry.nNodes(); ++a)
     {
-        advance(a, 0);
         carrier_[a] =
             updatedEnergyFlux_
           ? Vec(newU_[a].template segment<dim>(1)/newU_[a][0])
-          : state.velocity[a];
+          : Vec(state.velocity(a));
     }
+    addEnergy(geometry, state, rates.rate, dt);
+    advance(geometry, state, dim + 1, dim + 2);
 
-    addEnergy(geometry, state, dt);
-    for (label a = 0; a < nNodes; ++a)
+    if (!capturing.nu().empty())
     {
-        advance(a, dim + 1);
+        addViscosity(geometry, state, capturing.nu(), dt);
     }
-
-    // Artificial diffusion acts on the advanced state, eq. (9) of the paper
-    residual_.assign(nNodes, State::Zero());
-    for (label s = 0; s < geometry.nSimplices(); ++s)
+    for (label a = 0; a < geometry.nNodes(); ++a)
     {
-        if (state.mu[s] != 0)
-        {
-            const auto F = (dt*this->artificialFlux(geometry, state, s)).eval();
-            for (int a = 0; a <= dim; ++a)
-            {
-                residual_[geometry.nodes(s)[a]] -=
-                    F*geometry.stepAreas(s).col(a);
-            }
-        }
-    }
-    for (label a = 0; a < nNodes; ++a)
-    {
-        state.U[a] = newU_[a] + residual_[a]/geometry.newNodeVolume(a);
+        state.conserved(a) = newU_[a];
     }
 }
 

@@ -9,7 +9,9 @@
 template<int dim>
 Foam::autoPtr<Foam::timeScheme<dim>> Foam::timeScheme<dim>::New
 (
-    const dictionary& feSchemes
+    const dictionary& feSchemes,
+    const gasGeometry<dim>& geometry,
+    const shockCapturing<dim>& capturing
 )
 {
     const wordList choices({"twoStep", "threeStep"});
@@ -19,12 +21,25 @@ Foam::autoPtr<Foam::timeScheme<dim>> Foam::timeScheme<dim>::New
         case 0:
             return autoPtr<timeScheme<dim>>
             (
-                new twoStep<dim>(coeffsDict(feSchemes, "twoStep"))
+                new twoStep<dim>
+                (
+                    coeffsDict(feSchemes, "twoStep"), geometry, capturing
+                )
             );
         default:
+            if (capturing.limits())
+            {
+                FatalIOErrorInFunction(feSchemes)
+                    << "shockCapturing fluxCorrected needs timeScheme twoStep"
+                    << nl << "    Choose it, or pressureLaplacian, "
+                    << "pressureSwitch or none" << exit(FatalIOError);
+            }
             return autoPtr<timeScheme<dim>>
             (
-                new threeStep<dim>(coeffsDict(feSchemes, "threeStep"))
+                new threeStep<dim>
+                (
+                    coeffsDict(feSchemes, "threeStep"), geometry
+                )
             );
     }
 }

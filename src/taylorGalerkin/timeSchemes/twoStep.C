@@ -4,12 +4,19 @@
 \*---------------------------------------------------------------------------*/
 #include "twoStep.H"
 #include "dictionaryCheck.H"
+#include "PstreamReduceOps.H"
 
 template<int dim>
-Foam::twoStep<dim>::twoStep(const dictionary& coeffs)
+Foam::twoStep<dim>::twoStep
+(
+    const dictionary& coeffs,
+    const gasGeometry<dim>& geometry,
+    const shockCapturing<dim>& capturing
+)
 :
-    consistent_(false),
-    massIterations_(coeffs.getOrDefault<label>("massIterations", 3))
+    consistent_(capturing.limits()),
+    massIterations_(coeffs.getOrDefault<label>("massIterations", 1)),
+    boundarySum_(geometry.nRows(), uniformRow(0))
 {
     checkKeywords(coeffs, {"massMatrix", "massIterations"});
     if (coeffs.found("massMatrix"))
@@ -23,167 +30,105 @@ Foam::twoStep<dim>::twoStep(const dictionary& coeffs)
             << "massIterations must be at least 1, not " << massIterations_
             << exit(FatalIOError);
     }
-}
-
-
-template<int dim>
-typename Foam::twoStep<dim>::State Foam::twoStep<dim>::halfStep
-(
-    const gasGeometry<dim>& geometry,
-    const gasState<dim>& state,
-    const label s,
-    const double dt,
-    State& mean
-) const
-{
-    const label* nodes = geometry.nodes(s);
-    const auto& B = geometry.areas(s);
-
-    mean = State::Zero();
-    State divergence = State::Zero();
-    for (int a = 0; a <= dim; ++a)
+    if (capturing.limits())
     {
-        mean += state.U[nodes[a]];
-        divergence += nodeFlux_[nodes[a]]*B.col(a);
+        if (massIterations_ != 1)
+        {
+            FatalIOErrorInFunction(coeffs)
+                << "massIterations is " << massIterations_
+                << ", but fluxCorrected makes one correction"
+                << exit(FatalIOError);
+        }
+        corrector_.reset(new fluxCorrector<dim>(geometry));
     }
-    mean /= dim + 1;
-
-    if (geometry.moving())
+    else
     {
-        const Vec w = geometry.meanW(s);
-        for (int a = 0; a <= dim; ++a)
+        for (gasRows* rows : {&residual_, &change_, &sum_})
         {
-            divergence -= w.dot(B.col(a))*state.U[nodes[a]];
-        }
-    }
-    return mean - 0.5*dt/geometry.volume(s)*divergence;
-}
-
-
-template<int dim>
-void Foam::twoStep<dim>::addInterior
-(
-    const gasGeometry<dim>& geometry,
-    const gasState<dim>& state,
-    const double dt
-)
-{
-    for (label s = 0; s < geometry.nSimplices(); ++s)
-    {
-        State mean;
-        const State half = halfStep(geometry, state, s, dt, mean);
-        const double p = gasDynamics::pressure<dim>(state.eos, half);
-        if (!(half[0] > 0 && p > 0))
-        {
-            throw unphysicalSimplex{s, half[0], p};
-        }
-
-        gasDynamics::Flux<dim> F = gasDynamics::eulerFlux<dim>(half, p);
-        if (geometry.moving())
-        {
-            F -= half*geometry.meanW(s).transpose();
-        }
-        const label* nodes = geometry.nodes(s);
-        if (state.mu[s] != 0)
-        {
-            F -= this->artificialFlux(geometry, state, s);
-        }
-        F *= dt;
-
-        const auto& B = geometry.stepAreas(s);
-        for (int a = 0; a <= dim; ++a)
-        {
-            residual_[nodes[a]] += F*B.col(a);
+            rows->assign(geometry.nRows(), uniformRow(0));
         }
     }
 }
 
 
 template<int dim>
-void Foam::twoStep<dim>::addBoundary
+void Foam::twoStep<dim>::viscousStep
 (
     const gasGeometry<dim>& geometry,
     const gasBoundary<dim>& boundary,
-    const gasState<dim>& state,
+    const shockCapturing<dim>& capturing,
+    const gasRates<dim>& rates,
+    gasState<dim>& state,
     const double dt
 )
 {
-    // Wall pressure at the half step: the node's, changed in the ratio in
-    // which the simplex behind changes, eq. (G16)
-    wallP_.clear();
-    for (const fePatch* patch : boundary.walls())
+    constexpr int n = gasKernel::place<dim>::nConserved;
+    constexpr int rowSize = gasKernel::rowSize;
+    const auto& kernels = gasKernel::gasKernels<dim>::best();
+    const gasKernel::edges edges = geometry.edges();
+    const sharedItems& exchange = geometry.mesh().exchange();
+
+    std::fill(residual_.begin(), residual_.end(), uniformRow(0));
+    const long bad = kernels.highOrderFlux
+    (
+        edges, state.kernelGas(), dt, 0, edges.n, data(state.rows),
+        data(rates.rate), data(rates.difference),
+        capturing.nu().empty() ? nullptr : capturing.nu().data(),
+        data(residual_)
+    );
+    const bool isBad = bad >= 0 && bad < geometry.nEdges();
+    if (returnReduce(isBad, orOp<bool>()))
     {
-        forAll(patch->facetSimplex, i)
-        {
-            State mean;
-            const State half =
-                halfStep(geometry, state, patch->facetSimplex[i], dt, mean);
-            const double ratio =
-                gasDynamics::pressure<dim>(state.eos, half)
-               /gasDynamics::pressure<dim>(state.eos, mean);
-            for (int b = 0; b < dim; ++b)
-            {
-                wallP_.push_back(ratio*state.p[patch->facets[dim*i + b]]);
-            }
-        }
+        throw
+            isBad
+          ? unphysicalEdge{edges.first[bad], edges.second[bad]}
+          : unphysicalEdge{-1, -1};
     }
-    boundary.addWallFluxes(wallP_, dt, residual_);
-    boundary.addFarFieldFluxes(state, dt, residual_);
-    boundary.addOpenFluxes(state, dt, residual_);
-}
+    boundary.addFluxes(state, dt, residual_);
+    boundary.addHoop(state, dt, residual_);
+    exchange.sum(data(residual_), rowSize, n);
 
-
-template<int dim>
-template<class Volume>
-void Foam::twoStep<dim>::addMassTerm
-(
-    const gasGeometry<dim>& geometry,
-    const std::vector<State>& U,
-    const Volume& volume,
-    const double sign
-)
-{
-    const double c = sign/((dim + 1)*(dim + 2));
-    for (label s = 0; s < geometry.nSimplices(); ++s)
+    // What the state gains, with the boundary's half-step fluxes
+    auto divide = [&](const gasRows& sum)
     {
-        const label* nodes = geometry.nodes(s);
-        State sum = State::Zero();
-        for (int a = 0; a <= dim; ++a)
-        {
-            sum += U[nodes[a]];
-        }
-        for (int a = 0; a <= dim; ++a)
-        {
-            massTerm_[nodes[a]] += c*volume(s)*(sum + U[nodes[a]]);
-        }
-    }
-}
-
-
-template<int dim>
-void Foam::twoStep<dim>::solveConsistent
-(
-    const gasGeometry<dim>& geometry,
-    gasState<dim>& state
-)
-{
-    oldU_ = state.U;
-    for (label a = 0; a < geometry.nNodes(); ++a)
-    {
-        state.U[a] =
-            (geometry.nodeVolume(a)*oldU_[a] + residual_[a])
-           /geometry.newNodeVolume(a);
-    }
-    for (label pass = 1; pass < massIterations_; ++pass)
-    {
-        massTerm_ = residual_;
-        auto before = [&](const label s) { return geometry.volume(s); };
-        auto after = [&](const label s) { return geometry.newVolume(s); };
-        addMassTerm(geometry, oldU_, before, 1);
-        addMassTerm(geometry, state.U, after, -1);
         for (label a = 0; a < geometry.nNodes(); ++a)
         {
-            state.U[a] += massTerm_[a]/geometry.newNodeVolume(a);
+            const double perVolume = 1/geometry.newNodeVolume(a);
+            const double growth =
+                geometry.newNodeVolume(a) - geometry.nodeVolume(a);
+            for (int k = 0; k < n; ++k)
+            {
+                change_[a][k] = perVolume
+               *(
+                    sum[a][k] + boundarySum_[a][k]
+                  - growth*state.rows[a][k]
+                );
+            }
+        }
+        boundary.constrainRates(change_);
+    };
+    divide(residual_);
+
+    for (label pass = 0; consistent_ && pass < massIterations_; ++pass)
+    {
+        std::fill(sum_.begin(), sum_.end(), uniformRow(0));
+        kernels.massCorrection(edges, 0, edges.n, data(change_), data(sum_));
+        exchange.sum(data(sum_), rowSize, n);
+        for (label a = 0; a < geometry.nNodes(); ++a)
+        {
+            for (int k = 0; k < n; ++k)
+            {
+                sum_[a][k] += residual_[a][k];
+            }
+        }
+        divide(sum_);
+    }
+
+    for (label a = 0; a < geometry.nNodes(); ++a)
+    {
+        for (int k = 0; k < n; ++k)
+        {
+            state.rows[a][k] += change_[a][k];
         }
     }
 }
@@ -193,34 +138,26 @@ template<int dim>
 void Foam::twoStep<dim>::step
 (
     const gasGeometry<dim>& geometry,
-    gasBoundary<dim>& boundary,
+    const gasBoundary<dim>& boundary,
+    const shockCapturing<dim>& capturing,
+    gasRates<dim>& rates,
     gasState<dim>& state,
     const double dt
 )
 {
-    const label nNodes = geometry.nNodes();
-    residual_.assign(nNodes, State::Zero());
-    nodeFlux_.resize(nNodes);
-    for (label a = 0; a < nNodes; ++a)
-    {
-        nodeFlux_[a] = gasDynamics::eulerFlux<dim>(state.U[a], state.p[a]);
-    }
+    rates.compute(geometry, boundary, state, dt);
+    boundary.halfStepFluxes(state, rates.rate, dt, boundarySum_);
 
-    addInterior(geometry, state, dt);
-    addBoundary(geometry, boundary, state, dt);
-
-    if (consistent_)
+    if (corrector_.valid())
     {
-        solveConsistent(geometry, state);
+        corrector_().step
+        (
+            geometry, boundary, rates, state, consistent_, dt, boundarySum_
+        );
     }
     else
     {
-        for (label a = 0; a < nNodes; ++a)
-        {
-            state.U[a] =
-                (geometry.nodeVolume(a)*state.U[a] + residual_[a])
-               /geometry.newNodeVolume(a);
-        }
+        viscousStep(geometry, boundary, capturing, rates, state, dt);
     }
 }
 

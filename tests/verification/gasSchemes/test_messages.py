@@ -67,7 +67,7 @@ def test_unphysicalStateStopsWithPlaceAndAdvice(tmp_path):
     left = case.x[:, 0] < 0.5 + 1e-9
     case.start(1.0, (0, 0, 0), [1000.0 if i else 0.01 for i in left])
     assert case.runTo(0.01) != 0
-    for word in ("node", "Pa", "time", "maxCo", "qDif", "state before"):
+    for word in ("node", "Pa", "time", "maxCo", "fluxCorrected", "state before"):
         assert word in case.log
     assert case.result("p").min() > 0
 
