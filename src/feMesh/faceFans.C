@@ -54,6 +54,18 @@ label fanStart(const face& f, const pointField& x, const splitOrder& before)
     const vector area(f.areaNormal(x));
     const vector normal(area/(mag(area) + VSMALL));
     const scalar enough = degenerate*mag(area)/(f.size() - 2);
+
+    // Points in the middle of a straight side first
+    std::stable_partition
+    (
+        places.begin(), places.end(), [&](const label i)
+        {
+            const vector a(x[f[i]] - x[f[f.rcIndex(i)]]);
+            const vector b(x[f[f.fcIndex(i)]] - x[f[i]]);
+            return 0.5*((a ^ b) & normal) < enough;
+        }
+    );
+
     label best = places[0];
     scalar largest = -GREAT;
     for (const label start : places)

@@ -80,6 +80,43 @@ bool takeAway(DynamicList<triangle>& open, const tetrahedron& t)
 } // End namespace
 
 
+std::vector<std::pair<Foam::scalar, tetrahedron>>
+Foam::polyhedronSplitter::standingOn
+(
+    const DynamicList<triangle>& open,
+    const triangle& base,
+    const scalar leastVolume,
+    const scalar mostVolume
+) const
+{
+    std::vector<std::pair<scalar, tetrahedron>> result;
+    for (const label pointi : points_)
+    {
+        const tetrahedron t({pointi, base[0], base[1], base[2]});
+        const scalar v = volume(t);
+        if (base.found(pointi) || v < leastVolume || v > mostVolume)
+        {
+            continue;
+        }
+        DynamicList<triangle> rest(open);
+        if (takeAway(rest, t))
+        {
+            // Roundness: volume over the cube of the longest edge
+            scalar longest = 0;
+            for (label a = 0; a < 4; ++a)
+            {
+                for (label b = 0; b < a; ++b)
+                {
+                    longest = max(longest, mag(x_[t[a]] - x_[t[b]]));
+                }
+            }
+            result.push_back({v/pow3(longest), t});
+        }
+    }
+    return result;
+}
+
+
 bool Foam::polyhedronSplitter::search(const scalar leastVolume)
 {
     tets_.clear();
@@ -101,49 +138,46 @@ bool Foam::polyhedronSplitter::searchFrom
         return true;
     }
 
-    scalar taken = 0;
+    scalar left = (1 + 1e-9)*volume_;
     for (const tetrahedron& t : tets_)
     {
-        taken += volume(t);
+        left -= volume(t);
     }
-    const scalar left = (1 + 1e-9)*volume_ - taken;
 
-    // Fourth points for one open triangle, the roundest tetrahedron first
-    const triangle base = open.last();
-    std::vector<std::pair<scalar, label>> fourth;
-    for (const label pointi : points_)
+    // The open triangle with the fewest tetrahedra that may stand on it
+    std::vector<std::pair<scalar, tetrahedron>> fewest;
+    forAll(open, i)
     {
-        const tetrahedron t({pointi, base[0], base[1], base[2]});
-        const scalar v = volume(t);
-        if (!base.found(pointi) && v > leastVolume && v < left)
+        auto candidates = standingOn(open, open[i], leastVolume, left);
+        if (i == 0 || candidates.size() < fewest.size())
         {
-            scalar longest = 0;
-            for (const label other : base)
-            {
-                longest = max(longest, mag(x_[other] - x_[pointi]));
-            }
-            fourth.push_back({-v/pow3(longest), pointi});
+            fewest.swap(candidates);
+        }
+        if (fewest.empty())
+        {
+            return false;
         }
     }
-    std::sort(fourth.begin(), fourth.end());
+    std::stable_sort
+    (
+        fewest.begin(), fewest.end(),
+        [](const auto& a, const auto& b) { return a.first > b.first; }
+    );
 
-    for (const auto& candidate : fourth)
+    for (const auto& candidate : fewest)
     {
         if (++steps > maxSteps)
         {
             return false;
         }
-        const tetrahedron t({candidate.second, base[0], base[1], base[2]});
         DynamicList<triangle> rest(open);
-        if (takeAway(rest, t))
+        takeAway(rest, candidate.second);
+        tets_.append(candidate.second);
+        if (searchFrom(rest, leastVolume, steps))
         {
-            tets_.append(t);
-            if (searchFrom(rest, leastVolume, steps))
-            {
-                return true;
-            }
-            tets_.remove();
+            return true;
         }
+        tets_.remove();
     }
     return false;
 }
