@@ -16,7 +16,8 @@ Foam::feMesh::feMesh(const polyMesh& mesh)
 :
     MeshObject<polyMesh, MoveableMeshObject, feMesh>(mesh),
     dim_(0),
-    depth_(1)
+    depth_(1),
+    splitCounts_(label(0))
 {
     findDirections();
     findStations();

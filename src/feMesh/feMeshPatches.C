@@ -6,6 +6,33 @@
 #include "emptyPolyPatch.H"
 #include "HashSet.H"
 
+#include <algorithm>
+
+namespace
+{
+
+//- Whether all of the facet is in the simplex
+bool holds
+(
+    const Foam::label* simplex,
+    const Foam::label stride,
+    const Foam::labelUList& facet
+)
+{
+    return std::all_of
+    (
+        facet.begin(), facet.end(), [&](const Foam::label corneri)
+        {
+            return
+                std::find(simplex, simplex + stride, corneri)
+             != simplex + stride;
+        }
+    );
+}
+
+} // End namespace
+
+
 void Foam::feMesh::findPatches()
 {
     const label stride = dim_ + 1;
@@ -34,44 +61,30 @@ void Foam::feMesh::findPatches()
 
         forAll(pp, i)
         {
-            const labelHashSet onFace(faceCorners(pp.start() + i));
-            for (const label corneri : onFace)
-            {
-                nodes.insert(nodeOfCorner(corneri));
-            }
             const label celli = pp.faceCells()[i];
-
-            for
-            (
-                label s = firstSimplex[celli];
-                s < nSimplices() && cellOfSimplex_[s] == celli;
-                ++s
-            )
+            const labelList corners(faceFacets(pp.start() + i));
+            for (label k = 0; k < corners.size(); k += dim_)
             {
-                // A facet lies on the face when all nodes but one do
-                label off = -1;
-                label nOff = 0;
-                for (label a = 0; a < stride; ++a)
+                const SubList<label> facet(corners, dim_, k);
+                label s = firstSimplex[celli];
+                while (!holds(&simplexCorners()[stride*s], stride, facet))
                 {
-                    if (!onFace.found(simplexCorners()[stride*s + a]))
-                    {
-                        off = a;
-                        ++nOff;
-                    }
-                }
-                if (nOff != 1)
-                {
-                    continue;
-                }
-                for (label a = 0; a < stride; ++a)
-                {
-                    if (a != off)
-                    {
-                        facets.append(simplices_[stride*s + a]);
-                    }
+                    ++s;
                 }
                 behind.append(s);
-                opposite.append(off);
+                for (label a = 0; a < stride; ++a)
+                {
+                    const label corneri = simplexCorners()[stride*s + a];
+                    if (!facet.found(corneri))
+                    {
+                        opposite.append(a);
+                    }
+                }
+                for (const label corneri : facet)
+                {
+                    facets.append(nodeOfCorner(corneri));
+                    nodes.insert(nodeOfCorner(corneri));
+                }
             }
         }
 
@@ -108,4 +121,5 @@ void Foam::feMesh::findPatches()
     }
 
     patches_.transfer(patches);
+    faceFans_.clear();
 }

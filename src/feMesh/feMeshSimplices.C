@@ -3,77 +3,71 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "feMesh.H"
+#include "globalNodes.H"
+#include "nodeParity.H"
+#include "faceFans.H"
+#include "polygonSplit.H"
 #include "emptyPolyPatch.H"
-#include "ListOps.H"
-
-namespace
-{
-
-//- Position of the smallest entry
-Foam::label smallest(const Foam::labelUList& list)
-{
-    Foam::label at = 0;
-    forAll(list, i)
-    {
-        if (list[i] < list[at])
-        {
-            at = i;
-        }
-    }
-    return at;
-}
-
-template<int dim>
-Foam::scalar signedMeasure
-(
-    const Foam::feMesh& mesh,
-    const Foam::label* corners
-)
-{
-    Foam::simplexVec<dim> x[dim + 1];
-    for (int a = 0; a <= dim; ++a)
-    {
-        x[a] = mesh.components<dim>(mesh.corners()[corners[a]]);
-    }
-    return Foam::simplex::volume<dim>(Foam::simplex::edges<dim>(x));
-}
-
-Foam::scalar signedMeasure(const Foam::feMesh& mesh, const Foam::label* corners)
-{
-    switch (mesh.dim())
-    {
-        case 1: return signedMeasure<1>(mesh, corners);
-        case 2: return signedMeasure<2>(mesh, corners);
-        default: return signedMeasure<3>(mesh, corners);
-    }
-}
-
-} // End namespace
-
 
 Foam::labelList Foam::feMesh::faceCorners(const label facei) const
 {
-    DynamicList<label> nodes(4);
+    DynamicList<label> corners(4);
     for (const label pointi : mesh_.faces()[facei])
     {
-        const label nodei = cornerOfPoint_[pointi];
-        if (!nodes.found(nodei))
+        const label corneri = cornerOfPoint_[pointi];
+        if (!corners.found(corneri))
         {
-            nodes.append(nodei);
+            corners.append(corneri);
         }
     }
-    return labelList(std::move(nodes));
+    return labelList(std::move(corners));
 }
 
 
-void Foam::feMesh::splitPolygon
-(
-    const label celli,
-    DynamicList<label>& simplices
-) const
+Foam::labelList Foam::feMesh::faceFacets(const label facei) const
 {
-    // The cell's outline is its face on an empty side
-    labelList outline;
+    const labelList corners(faceCorners(facei));
+    if (dim_ < 3)
+    {
+        return corners;
+    }
+    const label n = corners.size();
+    DynamicList<label> facets(3*(n - 2));
+    for (label i = 1; i + 1 < n; ++i)
+    {
+        for (const label step : {label(0), i, i + 1})
+        {
+            facets.append(corners[(faceFans_[facei] + step) % n]);
+        }
+    }
+    return labelList(std::move(facets));
+}
+
+
+Foam::labelList Foam::feMesh::segment(const label celli) const
+{
+    DynamicList<label> points(2);
+    for (const label pointi : mesh_.cellPoints(celli))
+    {
+        if (!points.found(stationOfPoint_[pointi]))
+        {
+            points.append(stationOfPoint_[pointi]);
+        }
+    }
+    if (points.size() == 2)
+    {
+        const direction axis = axes_[0];
+        if (mesh_.points()[points[0]][axis] > mesh_.points()[points[1]][axis])
+        {
+            std::swap(points[0], points[1]);
+        }
+    }
+    return labelList(std::move(points));
+}
+
+
+Foam::labelList Foam::feMesh::outline(const label celli) const
+{
     for (const label facei : mesh_.cells()[celli])
     {
         if (mesh_.isInternalFace(facei))
@@ -81,156 +75,179 @@ void Foam::feMesh::splitPolygon
             continue;
         }
         const label patchi = mesh_.boundaryMesh().whichPatch(facei);
-        const labelList nodes(faceCorners(facei));
-        if
-        (
-            nodes.size() > 2
-         && isA<emptyPolyPatch>(mesh_.boundaryMesh()[patchi])
-        )
-        {
-            outline = nodes;
-            break;
-        }
-    }
-
-    const label n = outline.size();
-    if (n < 3)
-    {
-        FatalErrorInFunction
-            << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
-            << " has no face on an empty patch" << exit(FatalError);
-    }
-
-    const label start = smallest(outline);
-    for (label i = 1; i + 1 < n; ++i)
-    {
-        simplices.append(outline[start]);
-        simplices.append(outline[(start + i) % n]);
-        simplices.append(outline[(start + i + 1) % n]);
-    }
-}
-
-
-void Foam::feMesh::splitPolyhedron
-(
-    const label celli,
-    DynamicList<label>& simplices
-) const
-{
-    const cell& faces = mesh_.cells()[celli];
-    label apex = labelMax;
-    for (const label facei : faces)
-    {
-        for (const label pointi : mesh_.faces()[facei])
-        {
-            apex = min(apex, cornerOfPoint_[pointi]);
-        }
-    }
-
-    for (const label facei : faces)
-    {
-        labelList nodes(faceCorners(facei));
-        if (nodes.found(apex))
+        if (!isA<emptyPolyPatch>(mesh_.boundaryMesh()[patchi]))
         {
             continue;
         }
-        if (mesh_.faceOwner()[facei] != celli)
+        DynamicList<label> points(4);
+        for (const label pointi : mesh_.faces()[facei])
         {
-            reverse(nodes);
+            if (!points.found(stationOfPoint_[pointi]))
+            {
+                points.append(stationOfPoint_[pointi]);
+            }
         }
-        const label n = nodes.size();
-        const label start = smallest(nodes);
-        for (label i = 1; i + 1 < n; ++i)
+        if (points.size() > 2)
         {
-            simplices.append(apex);
-            simplices.append(nodes[start]);
-            simplices.append(nodes[(start + i) % n]);
-            simplices.append(nodes[(start + i + 1) % n]);
+            return labelList(std::move(points));
         }
     }
+    FatalErrorInFunction
+        << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
+        << " has no face on an empty patch" << exit(FatalError);
+    return labelList();
 }
 
 
-void Foam::feMesh::orient
+bool Foam::feMesh::splitCell
 (
     const label celli,
-    DynamicList<label>& simplices,
-    label start
+    polyhedronSplitter& splitter,
+    const splitOrder& before,
+    DynamicList<label>& points,
+    splitKind& kind
 ) const
 {
-    const label stride = dim_ + 1;
-    scalar sum = 0;
-    for (label i = start; i < simplices.size(); i += stride)
+    const pointField& x = mesh_.points();
+    if (dim_ == 1)
     {
-        sum += signedMeasure(*this, &simplices[i]);
+        kind = untouched;
+        const labelList ends(segment(celli));
+        points.append(ends);
+        const direction axis = axes_[0];
+        return ends.size() == 2 && x[ends[0]][axis] < x[ends[1]][axis];
+    }
+    if (dim_ == 2)
+    {
+        vector normal(Zero);
+        normal[3 - axes_[0] - axes_[1]] = (axes_[1] - axes_[0] == 1 ? 1 : -1);
+        labelList polygon(outline(celli));
+        if ((face(polygon).areaNormal(x) & normal) < 0)
+        {
+            reverse(polygon);
+        }
+        return splitPolygon(polygon, x, normal, before, points, kind);
     }
 
-    // All simplices of a cell have the same sense by construction; one of the
-    // other sense leaves the cell or overlaps with its neighbours. In space
-    // it must be the positive one, elsewhere it is that of the empty side.
-    const scalar sense = (dim_ < 3 && sum < 0 ? -1 : 1);
-
-    for (label i = start; i < simplices.size(); i += stride)
+    const cell& faces = mesh_.cells()[celli];
+    DynamicList<polyhedronSplitter::triangle> surface;
+    bool isHex = (faces.size() == 6);
+    for (const label facei : faces)
     {
-        const scalar measure = sense*signedMeasure(*this, &simplices[i]);
-        if (!(measure > 1e-12*mag(sum)))
+        const face& f = mesh_.faces()[facei];
+        const label n = f.size();
+        const label start = faceFans_[facei];
+        isHex = isHex && n == 4;
+        for (label i = 1; i + 1 < n; ++i)
         {
-            FatalErrorInFunction
-                << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
-                << " cannot be split into positive simplices on its own "
-                << "points:" << nl << "    its volume is " << depth_*mag(sum)
-                << " m3, one of its simplices has " << depth_*measure << nl
-                << "    Run checkMesh; the cell is concave or degenerate"
-                << exit(FatalError);
-        }
-        if (sense < 0)
-        {
-            std::swap(simplices[i + dim_ - 1], simplices[i + dim_]);
+            label a = f[(start + i) % n], b = f[(start + i + 1) % n];
+            if (mesh_.faceOwner()[facei] != celli)
+            {
+                std::swap(a, b);
+            }
+            surface.append(polyhedronSplitter::triangle({f[start], a, b}));
         }
     }
+    const bool done = splitter.split(surface, isHex, kind);
+    for (const auto& tet : splitter.tetrahedra())
+    {
+        points.append(tet);
+    }
+    return done;
 }
 
 
 void Foam::feMesh::splitCells()
 {
-    DynamicList<label> simplices((dim_ == 3 ? 24 : 6)*mesh_.nCells());
-    DynamicList<label> cells(simplices.capacity()/(dim_ + 1));
+    const splitOrder before
+    (
+        nodeOfPoint_,
+        globalNode_,
+        nodeParity(mesh_, nodeOfPoint_, globalNode_, exchange_),
+        undecomposedLabels(mesh_)
+    );
+    if (dim_ == 3)
+    {
+        faceFans_ = faceFans(mesh_, before);
+    }
+
+    polyhedronSplitter splitter(mesh_.points(), before);
+    DynamicList<label> corners((dim_ == 3 ? 20 : 6)*mesh_.nCells());
+    DynamicList<label> cells(corners.capacity()/(dim_ + 1));
+    DynamicList<label> points(24), unsplit;
 
     for (label celli = 0; celli < mesh_.nCells(); ++celli)
     {
-        const label start = simplices.size();
-        if (dim_ == 3)
+        points.clear();
+        splitKind kind(untouched);
+        if (!splitCell(celli, splitter, before, points, kind))
         {
-            splitPolyhedron(celli, simplices);
+            unsplit.append(celli);
+            continue;
         }
-        else if (dim_ == 2)
+        ++splitCounts_[kind];
+        for (const label pointi : points)
         {
-            splitPolygon(celli, simplices);
+            corners.append(cornerOfPoint_[pointi]);
         }
-        else
-        {
-            for (const label pointi : mesh_.cellPoints(celli))
-            {
-                const label nodei = cornerOfPoint_[pointi];
-                bool isNew = true;
-                for (label i = start; i < simplices.size(); ++i)
-                {
-                    isNew = isNew && simplices[i] != nodei;
-                }
-                if (isNew)
-                {
-                    simplices.append(nodei);
-                }
-            }
-        }
-        orient(celli, simplices, start);
-
-        while (cells.size()*(dim_ + 1) < simplices.size())
+        while (cells.size()*(dim_ + 1) < corners.size())
         {
             cells.append(celli);
         }
     }
+    reportUnsplit(unsplit);
 
-    simplexCorners_.transfer(simplices);
+    simplexCorners_.transfer(corners);
     cellOfSimplex_.transfer(cells);
+}
+
+
+void Foam::feMesh::reportUnsplit(const labelUList& cells) const
+{
+    const label total = returnReduce(cells.size(), sumOp<label>());
+    if (!total)
+    {
+        return;
+    }
+
+    // The same message from every processor
+    const label nShown = 10;
+    List<List<Tuple2<label, Tuple2<point, scalar>>>> bad(Pstream::nProcs());
+    auto& own = bad[Pstream::myProcNo()];
+    own.setSize(min(nShown, cells.size()));
+    forAll(own, i)
+    {
+        const label celli = cells[i];
+        own[i].first() = celli;
+        own[i].second() =
+            {mesh_.cellCentres()[celli], mesh_.cellVolumes()[celli]};
+    }
+    Pstream::gatherList(bad);
+    Pstream::scatterList(bad);
+
+    FatalErrorInFunction
+        << total << " cell(s) cannot be split into positive simplices on "
+        << "their own points:" << nl;
+    label shown = 0;
+    forAll(bad, ranki)
+    {
+        for (const auto& item : bad[ranki])
+        {
+            if (shown++ < nShown)
+            {
+                FatalError
+                    << "    cell " << item.first();
+                if (Pstream::parRun())
+                {
+                    FatalError << " of processor " << ranki;
+                }
+                FatalError
+                    << " at " << item.second().first() << ", volume "
+                    << item.second().second() << " m3" << nl;
+            }
+        }
+    }
+    FatalError
+        << "    Run checkMesh; such cells are inverted, degenerate or too "
+        << "concave" << exit(FatalError);
 }

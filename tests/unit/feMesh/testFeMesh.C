@@ -296,14 +296,14 @@ INSTANTIATE_TEST_SUITE_P
             2, 20, 24, 0.5},
         scene{"hexahedra",
             with(boxMesh::space(3, 4, 2), boxMesh::hexahedra, 0.15),
-            3, 60, 6*24, 1},
+            3, 60, 5*24, 1},
         scene{"prisms", with(boxMesh::space(3, 4, 2), boxMesh::prisms, 0.15),
             3, 60, 6*24, 1},
         scene{"tetrahedra",
             with(boxMesh::space(3, 4, 2), boxMesh::tetrahedra, 0.15),
             3, 60, 6*24, 1},
         scene{"corner", with(corner(boxMesh()), boxMesh::hexahedra, 0),
-            3, 63, 6*24, 0.75}
+            3, 63, 5*24, 0.75}
     ),
     [](const auto& info) { return std::string(info.param.name); }
 );

@@ -83,18 +83,18 @@ TEST(FeMeshErrors, wedge)
 }
 
 
-// A corner next to the one of smallest label is pushed in beyond the diagonal
-TEST(FeMeshErrors, concaveCell)
+// A corner goes beyond the opposite corner: the outline crosses itself
+TEST(FeMeshErrors, crossedCell)
 {
     boxMesh box(boxMesh::plane(2, 1));
     box.map = [](const point& x)
     {
         const bool pushed = x.x() > 0.9 && x.y() < 0.1;
-        return pushed ? point(0.55, 0.45, x.z()) : x;
+        return pushed ? point(0.7, 1.5, x.z()) : x;
     };
     const std::string message = errorOf(box);
-    expectMention(message, "Cell 1");
-    expectMention(message, "cannot be split");
+    expectMention(message, "1 cell(s) cannot be split");
+    expectMention(message, "cell 1 at");
     expectMention(message, "checkMesh");
 }
 
@@ -107,8 +107,27 @@ TEST(FeMeshErrors, invertedCell)
         return x.x() > 0.9 ? point(0.5, x.y(), x.z()) : x;
     };
     const std::string message = errorOf(box);
-    expectMention(message, "Cell 2");
-    expectMention(message, "cannot be split");
+    expectMention(message, "1 cell(s) cannot be split");
+    expectMention(message, "cell 2 at");
+}
+
+
+// The message names the first ten of them
+TEST(FeMeshErrors, manyInvertedCells)
+{
+    boxMesh box(boxMesh::space(3, 4, 4));
+    box.map = [](const point& x)
+    {
+        return x.x() > 0.9 ? point(0.5, x.y(), x.z()) : x;
+    };
+    const std::string message = errorOf(box);
+    expectMention(message, "16 cell(s) cannot be split");
+    size_t nNamed = 0;
+    for (size_t at = 0; (at = message.find("cell ", at)) != message.npos; ++at)
+    {
+        ++nNamed;
+    }
+    EXPECT_EQ(nNamed, 10u) << message;
 }
 
 
