@@ -52,6 +52,7 @@ Description
 #include "argList.H"
 #include "Time.H"
 #include "dictionaryCheck.H"
+#include "entryList.H"
 #include "fieldValues.H"
 #include "regionPoints.H"
 #include "setStates.H"
@@ -68,7 +69,7 @@ void setRegions
     const word& keyword
 )
 {
-    const PtrList<entry> regions(dict.lookup(keyword));
+    const PtrList<entry> regions(readEntryList(dict, keyword));
     for (const entry& region : regions)
     {
         Info<< "Region " << region.keyword() << endl;

@@ -3,6 +3,7 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "setStates.H"
+#include "entryList.H"
 #include "fieldValues.H"
 #include "gasProperties.H"
 #include "IOdictionary.H"
@@ -47,7 +48,7 @@ void Foam::setStates
     const word& keyword
 )
 {
-    const PtrList<entry> states(dict.lookup(keyword));
+    const PtrList<entry> states(readEntryList(dict, keyword));
     if (states.empty())
     {
         return;

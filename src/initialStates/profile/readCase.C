@@ -44,6 +44,46 @@ Foam::Field<Type> pointValues
 }
 
 
+//- Set the clock to the entry time, default latestTime
+void selectTime(Foam::Time& time, const Foam::dictionary& dict)
+{
+    using namespace Foam;
+    const instantList times(time.times());
+    label chosen = times.size() - 1;
+
+    if (dict.found("time"))
+    {
+        const token wanted(dict.lookup("time"));
+        if (wanted.isNumber())
+        {
+            chosen = Time::findClosestTimeIndex(times, wanted.number());
+        }
+        const bool there =
+        (
+            wanted.isNumber()
+          ? chosen >= 0
+         && mag(times[chosen].value() - wanted.number())
+         <= 1e-6*mag(wanted.number())
+          : wanted.isWord() && wanted.wordToken() == "latestTime"
+        );
+        if (!there)
+        {
+            FatalIOErrorInFunction(dict)
+                << "The case " << time.path() << " has no time " << wanted
+                << nl << "    Give one of its times or latestTime"
+                << exit(FatalIOError);
+        }
+    }
+    if (chosen < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The case " << time.path() << " has no times"
+            << exit(FatalIOError);
+    }
+    time.setTime(times[chosen], chosen);
+}
+
+
 void checkGas
 (
     const Foam::Time& time,
@@ -103,23 +143,7 @@ Foam::List<Foam::profileRow> Foam::readCase
         Time::controlDictName, path.path(), path.name(),
         "system", "constant", false, false
     );
-    const instantList times(time.times());
-    const word wanted(dict.lookupOrDefault<word>("time", "latestTime"));
-    label chosen = -1;
-    forAll(times, i)
-    {
-        if (times[i].name() == wanted || wanted == "latestTime")
-        {
-            chosen = i;
-        }
-    }
-    if (chosen < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "The case " << path << " has no time " << wanted
-            << exit(FatalIOError);
-    }
-    time.setTime(times[chosen], chosen);
+    selectTime(time, dict);
     checkGas(time, gas, dict);
 
     const polyMesh poly

@@ -123,5 +123,8 @@ TEST(PlanarShock, machOneIsNoShock)
         "machNumber 1; point (0.5 0 0); normal (1 0 0); "
         "ahead { p 1e5; T 290; }"
     );
-    EXPECT_NEAR((scene.nodes().total() - before).norm()/before.norm(), 0, 1e-13);
+    EXPECT_NEAR
+    (
+        (scene.nodes().total() - before).norm()/before.norm(), 0, 1e-13
+    );
 }
