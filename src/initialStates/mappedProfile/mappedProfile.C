@@ -237,11 +237,55 @@ Foam::scalar Foam::mappedProfile::correction
 }
 
 
+void Foam::mappedProfile::checkEnd
+(
+    const gasNodes& nodes,
+    const radialProfile& source,
+    const convexBody& region,
+    const bodyShare& share
+) const
+{
+    scalarField atEnd(nodes.size(), Zero);
+    scalarField difference(nodes.size(), Zero);
+    forAll(atEnd, i)
+    {
+        const scalar f = share.f()[i];
+        if (f > SMALL && f < 1 - 1e-9)
+        {
+            const gasNodes::State here = nodes.state(i);
+            const bool low = region.shape() == convexBody::slab
+             && 2*region.r(nodes.x(i)) < region.start() + region.end();
+            const radialProfile::State s =
+                source.at(low ? region.start() : region.end());
+            const scalar p = gasDynamics::pressure<1>(nodes.gas(), s);
+            atEnd[i] = 1;
+            difference[i] = max
+            (
+                mag(p/nodes.p()[i] - 1), mag(s[0]/here[0] - 1)
+            );
+        }
+    }
+    const scalar volume = nodes.integral(atEnd);
+    const scalar mean = nodes.integral(difference)/max(volume, VSMALL);
+    if (mean > 0.01)
+    {
+        const radialProfile::State s = source.at(region.end());
+        WarningInFunction
+            << "The profile ends with p = "
+            << gasDynamics::pressure<1>(nodes.gas(), s) << " Pa, rho = "
+            << s[0] << " kg/m3: " << 100*mean << " % off the gas around it in "
+            << "the mean" << nl << "    Check its units, the radius and the "
+            << "values of p and T around" << endl;
+    }
+}
+
+
 void Foam::mappedProfile::set(gasNodes& nodes) const
 {
     const radialProfile source(profile(nodes.gas()));
     const convexBody region(body(nodes.mesh(), source));
     const bodyShare share(nodes, region, dict_);
+    checkEnd(nodes, source, region, share);
 
     const gasNodes::State wanted = gain(nodes, source, region, share);
     const List<gasNodes::State> change =

@@ -45,7 +45,7 @@ const mistake mistakes[] =
     {"planarShock",
         "machNumber 2; point (0 0 0); normal (1 0 0); "
         "ahead { p 1; T 1; V 1; }",
-        {"Unknown keyword V", "line 1", "(p T U)"}},
+        {"Unknown keyword V", "(p T U)"}},
     {"sphericalCharge", "radius 1; p 1; T 1;", {"centre"}},
     {"sphericalCharge", "centre (0 0 0); radius 1; T 1;", {"p"}},
     {"sphericalCharge", "centre (0 0 0); radius -1; p 1; T 1;",

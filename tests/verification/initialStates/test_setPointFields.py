@@ -251,7 +251,7 @@ def test_profileOfACase(tmp_path):
 
     for dim, cells in ((2, (50, 4)), (3, (25, 3, 3))):
         case = StatesBox(tmp_path / f"case{dim}", (1, 0.2, 0.2)[:dim], cells)
-        case.setPointFields("""
+        text = """
         states
         (
             mappedProfile
@@ -260,7 +260,11 @@ def test_profileOfACase(tmp_path):
                 case "$FOAM_CASE/../source"; time %s;
             }
         );
-        """ % time)
+        """ % time
+        if dim == 2:
+            case.setPointFields(text)
+        else:
+            case.setInParallel(text, "2 1 1")
         section = 0.2 * (0.02 if dim == 2 else 0.2)
         before, after = case.scene()
 

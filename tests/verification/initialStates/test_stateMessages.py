@@ -71,6 +71,16 @@ def test_otherGas(tmp_path):
     assert "equal gases" in log and "1100" in log
 
 
+def test_profileInOtherUnits(tmp_path):
+    """kPa in place of Pa: the end of the profile gives it away."""
+    case = StatesBox(tmp_path / "case", (1, 1), (20, 20))
+    (case.path / "table").write_text("0 3 0 300\n0.4 1.2 0 100\n")
+    log = case.setPointFields(
+        "states ( mappedProfile { geometry cylindrical; centre (0 0 0);"
+        " file \"$FOAM_CASE/table\"; } );")
+    assert "Warning" in log and "p = 100 Pa" in log and "units" in log
+
+
 def test_missingDictionary(tmp_path):
     case = StatesBox(tmp_path / "case", (1,), (5,))
     log = case.run("setPointFields", check=False)
