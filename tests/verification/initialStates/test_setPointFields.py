@@ -224,6 +224,56 @@ def test_chargeInSpace(tmp_path):
     assert "nodes along the radius" in case.log
     assert "only" in case.log           # the warning: fewer than 10
 
+    # One step too short for anything to leave
+    assert case.runTo(1e-9, deltaT=1e-9, adjustTimeStep="no") == 0, case.log[-1000:]
+    end = re.search(r"at the end: mass (\S+) .* energy (\S+) J", case.log)
+    assert [float(q) for q in end.groups()] == pytest.approx(after, rel=1e-8)
+
+
+def test_chargeAcrossACyclicPatch(tmp_path):
+    """A charge has the same part of both sides; a shock must not have two
+    states at one place."""
+    case = StatesBox(tmp_path / "case", (1, 1), (10, 10))
+    blocks = case.path / "system" / "blockMeshDict"
+    text = blocks.read_text()
+    text = re.sub(r" *ends.*\n", """
+        left { type cyclic; neighbourPatch right; faces ((0 4 7 3)); }
+        right { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }
+        walls { type patch; faces ((0 1 5 4) (3 7 6 2)); }
+    """, text)
+    blocks.write_text(text)
+    case.run("blockMesh")
+    for name in "pUT":
+        field = case.path / "0" / name
+        field.write_text(field.read_text().replace(
+            "boundaryField\n{",
+            "boundaryField\n{ left { type cyclic; } right { type cyclic; }"
+        ))
+
+    case.setPointFields("""
+    states
+    (
+        sphericalCharge
+        { centre (0 0.5 0); radius 0.3; p 1e6; T 500; fraction 0.5; }
+    );
+    """)
+    p = case.gas()[0]
+    left, right = (np.isclose(case.x[:, 0], x) for x in (0, 1))
+    assert (np.sort(p[left]) == np.sort(p[right])).all()
+    assert p[left].max() > 4e5
+
+    log = case.setPointFields("""
+    states
+    (
+        planarShock
+        {
+            machNumber 2; point (0.5 0 0); normal (1 0 0);
+            ahead { p 1e5; T 290; }
+        }
+    );
+    """, check=False)
+    assert case.exitCode != 0 and "cyclic" in log
+
 
 def test_profileOfACase(tmp_path):
     """A run on a line into a plane and a space scene: its mass and energy
