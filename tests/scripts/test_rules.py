@@ -18,6 +18,7 @@ USES = {
     "gasDynamics": set(),
     "feMesh": {"gasDynamics"},
     "positionalShell": {"gasDynamics"},
+    "initialStates": {"feMesh", "gasDynamics"},
     "taylorGalerkin": {"feMesh", "gasDynamics"},
     "shellModel": {"positionalShell", "feMesh", "gasDynamics"},
     "meshMotion": {"feMesh", "gasDynamics"},

@@ -7,14 +7,16 @@ Application
     setPointFields
 
 Description
-    Sets values of point fields in regions of the mesh: setFields for fields on
-    points. Reads system/setPointFieldsDict in setFields' own form, with the
-    topoSet sources that select points:
+    Sets initial values of point fields: values in regions of the mesh, in
+    setFields' own form, and states of gas.
+
+    system/setPointFieldsDict, every entry optional, applied in this order:
 
     \verbatim
     defaultFieldValues
     (
         pointScalarFieldValue p 1e5
+        pointScalarFieldValue T 293
         pointVectorFieldValue U (0 0 0)
     );
     regions
@@ -22,105 +24,74 @@ Description
         boxToPoint
         {
             box (-10 -1 -1) (-0.02 1 1);
-            fieldValues ( pointScalarFieldValue p 154145 );
+            fieldValues ( pointScalarFieldValue T 400 );
+        }
+    );
+    states
+    (
+        sphericalCharge
+        {
+            centre  (0 0 0);
+            radius  0.5;
+            p       2967e3;
+            T       1134.85;
         }
     );
     \endverbatim
 
-    The fields are read from and written to the start time.
+    Regions are topoSet sources: of points (boxToPoint, sphereToPoint,
+    cylinderToPoint, ...), or of cells (boxToCell, ...), whose points are set.
+    States set p, U and T together for the gas of
+    constant/thermophysicalProperties: planarShock, sphericalCharge and
+    mappedProfile, see initialState.H.
+
+    The fields are read from and written to the start time. Values of patches
+    (farField, fixedValue) are left as they are. With -parallel, points that
+    processors share get the same values.
 */
 #include "argList.H"
 #include "Time.H"
-#include "polyMesh.H"
-#include "pointFields.H"
-#include "pointSet.H"
-#include "topoSetSource.H"
 #include "dictionaryCheck.H"
+#include "entryList.H"
+#include "fieldValues.H"
+#include "regionPoints.H"
+#include "setStates.H"
 
 using namespace Foam;
 
-//- Set one field's values at the given points; a null list means all
-template<class Type>
-void setValues
-(
-    const polyMesh& mesh,
-    const word& fieldName,
-    const Type& value,
-    const labelList* points
-)
+namespace
 {
-    using FieldType = GeometricField<Type, pointPatchField, pointMesh>;
 
-    FieldType field
-    (
-        IOobject
-        (
-            fieldName,
-            mesh.time().timeName(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        pointMesh::New(mesh)
-    );
-
-    Info<< "    " << fieldName << " = " << value << " at "
-        << (points ? points->size() : field.size()) << " points" << endl;
-
-    if (points)
-    {
-        UIndirectList<Type>(field.primitiveFieldRef(), *points) = value;
-    }
-    else
-    {
-        field.primitiveFieldRef() = value;
-    }
-    field.write();
-}
-
-
-//- Read and apply a list of "type name value"
-void applyValues
+void setRegions
 (
     const polyMesh& mesh,
     const dictionary& dict,
-    const word& keyword,
-    const labelList* points
+    const word& keyword
 )
 {
-    ITstream& is = dict.lookup(keyword);
-    is.readBegin("values");
-
-    for (token t(is); !t.isPunctuation(); is >> t)
+    const PtrList<entry> regions(readEntryList(dict, keyword));
+    for (const entry& region : regions)
     {
-        const word type(t.wordToken());
-        const word fieldName(is);
-
-        if (type == "pointScalarFieldValue")
-        {
-            setValues(mesh, fieldName, readScalar(is), points);
-        }
-        else if (type == "pointVectorFieldValue")
-        {
-            setValues(mesh, fieldName, vector(is), points);
-        }
-        else
-        {
-            FatalIOErrorInFunction(is)
-                << "Unknown kind of value " << type << nl
-                << "    Valid kinds are "
-                << "(pointScalarFieldValue pointVectorFieldValue)"
-                << exit(FatalIOError);
-        }
+        Info<< "Region " << region.keyword() << endl;
+        const labelList points
+        (
+            regionPoints(mesh, region.keyword(), region.dict())
+        );
+        setFieldValues(mesh, region.dict(), "fieldValues", &points);
     }
 }
+
+} // End namespace
 
 
 int main(int argc, char *argv[])
 {
-    argList::addNote("Set values of point fields in regions of the mesh");
-    argList::noParallel();
+    argList::addNote
+    (
+        "Set point fields: values in regions, and states of gas"
+    );
+    argList::noFunctionObjects();
+    #include "addDictOption.H"
 
     #include "setRootCase.H"
     #include "createTime.H"
@@ -135,47 +106,25 @@ int main(int argc, char *argv[])
         )
     );
 
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "setPointFieldsDict",
-            runTime.system(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-    checkKeywords(dict, {"defaultFieldValues", "regions"});
+    const word dictName("setPointFieldsDict");
+    #include "setSystemMeshDictionaryIO.H"
+    const IOdictionary dict(dictIO);
+    checkKeywords(dict, {"defaultFieldValues", "regions", "states"});
 
     if (dict.found("defaultFieldValues"))
     {
         Info<< "Default values" << endl;
-        applyValues(mesh, dict, "defaultFieldValues", nullptr);
+        setFieldValues(mesh, dict, "defaultFieldValues", nullptr);
     }
-
-    const PtrList<entry> regions(dict.lookup("regions"));
-    for (const entry& region : regions)
+    if (dict.found("regions"))
     {
-        Info<< "Region " << region.keyword() << endl;
-        autoPtr<topoSetSource> source =
-            topoSetSource::New(region.keyword(), mesh, region.dict());
-
-        if (source->setType() != topoSetSource::POINTSETSOURCE)
-        {
-            FatalIOErrorInFunction(region.dict())
-                << "The source " << region.keyword()
-                << " does not select points" << nl
-                << "    Use one such as boxToPoint, sphereToPoint or "
-                << "cylinderToPoint" << exit(FatalIOError);
-        }
-
-        pointSet selected(mesh, "selected", mesh.nPoints()/10 + 1);
-        source->applyToSet(topoSetSource::NEW, selected);
-        const labelList points(selected.sortedToc());
-        applyValues(mesh, region.dict(), "fieldValues", &points);
+        setRegions(mesh, dict, "regions");
     }
+    if (dict.found("states"))
+    {
+        setStates(mesh, dict, "states");
+    }
+    writeCasePointFields(mesh);
 
     Info<< nl << "End" << nl << endl;
 

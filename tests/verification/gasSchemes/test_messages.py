@@ -98,7 +98,7 @@ def test_setPointFields(case):
     assert (p[right] == 5).all() and (p[~right] == 3).all()
     assert (U[right] == (1, 2, 3)).all() and (U[~right] == 0).all()
 
-    values.write_text(head + text % "boxToCell")
+    values.write_text(head + text % "boxToFace")
     log = case.run("setPointFields", check=False)
     assert case.exitCode != 0
-    assert "boxToCell" in log and "boxToPoint" in log
+    assert "boxToFace" in log and "boxToPoint" in log

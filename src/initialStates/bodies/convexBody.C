@@ -1,0 +1,180 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "convexBody.H"
+#include "MinMaxOps.H"
+#include "PstreamReduceOps.H"
+#include "mathematicalConstants.H"
+
+using Foam::constant::mathematical::pi;
+
+namespace
+{
+
+//- Longest edge of a cut simplex over the body's radius
+const Foam::scalar chord = 0.02;
+
+} // End namespace
+
+
+Foam::convexBody::convexBody
+(
+    const shapes shape,
+    const point& centre,
+    const vector& axis,
+    const scalar start,
+    const scalar end
+)
+:
+    shape_(shape),
+    centre_(centre),
+    axis_(axis),
+    start_(start),
+    end_(end)
+{}
+
+
+Foam::convexBody Foam::convexBody::Ball
+(
+    const point& centre,
+    const scalar radius
+)
+{
+    return convexBody(ball, centre, vector::zero, 0, radius);
+}
+
+
+Foam::convexBody Foam::convexBody::Cylinder
+(
+    const point& centre,
+    const vector& axis,
+    const scalar radius
+)
+{
+    return convexBody(cylinder, centre, axis/mag(axis), 0, radius);
+}
+
+
+Foam::convexBody Foam::convexBody::Slab
+(
+    const point& centre,
+    const vector& axis,
+    const scalar start,
+    const scalar end
+)
+{
+    return convexBody(slab, centre, axis/mag(axis), start, end);
+}
+
+
+Foam::convexBody Foam::convexBody::round
+(
+    const feMesh& mesh,
+    const point& centre,
+    const scalar radius
+)
+{
+    vector inScene(Zero);
+    for (const direction d : mesh.axes())
+    {
+        inScene[d] = 1;
+    }
+    switch (mesh.dim())
+    {
+        case 1:
+            return Slab(centre, inScene, -radius, radius);
+        case 2:
+            return Cylinder(centre, vector::one - inScene, radius);
+        default:
+            return Ball(centre, radius);
+    }
+}
+
+
+const char* Foam::convexBody::name() const
+{
+    const char* names[] = {"slab", "cylinder", "ball"};
+    return names[shape_];
+}
+
+
+Foam::scalar Foam::convexBody::r(const point& x) const
+{
+    const vector d(x - centre_);
+    switch (shape_)
+    {
+        case slab: return d & axis_;
+        case cylinder: return mag(d - (d & axis_)*axis_);
+        default: return mag(d);
+    }
+}
+
+
+Foam::vector Foam::convexBody::along(const point& x) const
+{
+    if (shape_ == slab)
+    {
+        return axis_;
+    }
+    vector d(x - centre_);
+    d -= (d & axis_)*axis_;
+    return d/max(mag(d), VSMALL);
+}
+
+
+Foam::scalar Foam::convexBody::outside(const point& x) const
+{
+    const scalar s = r(x);
+    return shape_ == slab ? max(s - end_, start_ - s) : s - end_;
+}
+
+
+Foam::scalar Foam::convexBody::resolution() const
+{
+    // A slab's sides are plane; the simplex must only not reach both
+    return shape_ == slab ? 0.5*(end_ - start_) : chord*end_;
+}
+
+
+Foam::scalar Foam::convexBody::volume(const scalar across) const
+{
+    switch (shape_)
+    {
+        case slab: return (end_ - start_)*across;
+        case cylinder: return pi*sqr(end_)*across;
+        default: return 4.0/3.0*pi*pow3(end_)*across;
+    }
+}
+
+
+Foam::scalar Foam::convexBody::across(const feMesh& mesh) const
+{
+    if (shape_ == ball)
+    {
+        return 1;
+    }
+    if (mesh.dim() < 3)
+    {
+        return mesh.depth();
+    }
+
+    return extent(mesh, centre_, axis_).mag();
+}
+
+
+Foam::MinMax<Foam::scalar> Foam::extent
+(
+    const feMesh& mesh,
+    const point& centre,
+    const vector& axis
+)
+{
+    scalarMinMax range;
+    for (const point& x : mesh.nodes())
+    {
+        range.add((x - centre) & axis);
+    }
+    reduce(range, minMaxOp<scalar>());
+    return range;
+}

@@ -1,0 +1,320 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "mappedProfile.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
+#include "mathematicalConstants.H"
+#include "stateInput.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(mappedProfile, 0);
+    addToRunTimeSelectionTable(initialState, mappedProfile, dictionary);
+}
+
+namespace
+{
+
+//- Components of a gasNodes::State
+const Foam::label mass = 0;
+const Foam::label energy = 4;
+
+} // End namespace
+
+
+Foam::mappedProfile::mappedProfile
+(
+    const feMesh& mesh,
+    const dictionary& dict
+)
+:
+    dict_(dict),
+    geometry_
+    (
+        geometries
+        (
+            selectEntry
+            (
+                dict, "geometry", {"planar", "cylindrical", "spherical"}
+            )
+        )
+    ),
+    centre_(dict.get<point>("centre")),
+    axis_(Zero)
+{
+    wordList valid({"geometry", "centre", "file", "case", "time"});
+    if (geometry_ == planar || (geometry_ == cylindrical && mesh.dim() == 3))
+    {
+        valid.append("axis");
+    }
+    if (geometry_ != planar)
+    {
+        valid.append("radius");
+        valid.append("fraction");
+    }
+    checkKeywords(dict, valid);
+
+    if (dict.found("file") == dict.found("case"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "A profile needs one of the entries file and case"
+            << exit(FatalIOError);
+    }
+    readAxis(mesh);
+}
+
+
+void Foam::mappedProfile::readAxis(const feMesh& mesh)
+{
+    const label directions = label(geometry_) + 1;
+    if (mesh.dim() < directions)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "geometry " << dict_.get<word>("geometry") << " needs "
+            << directions << " directions, but the scene has " << mesh.dim()
+            << exit(FatalIOError);
+    }
+    if (geometry_ == planar)
+    {
+        axis_ = sceneDirection(mesh, dict_, "axis");
+    }
+    else if (geometry_ == cylindrical && mesh.dim() == 3)
+    {
+        axis_ = sceneDirection(mesh, dict_, "axis");
+    }
+}
+
+
+Foam::radialProfile Foam::mappedProfile::profile
+(
+    const gasDynamics::PerfectGas& gas
+) const
+{
+    List<profileRow> rows;
+    if (dict_.found("file"))
+    {
+        fileName file(dict_.get<fileName>("file"));
+        rows = readTable(file.expand(), dict_);
+    }
+    else
+    {
+        rows = readCase(gas, dict_);
+    }
+    return radialProfile(gas, rows, geometry_ != planar, dict_);
+}
+
+
+Foam::convexBody Foam::mappedProfile::body
+(
+    const feMesh& mesh,
+    const radialProfile& source
+) const
+{
+    if (geometry_ == planar)
+    {
+        const scalarMinMax there(extent(mesh, centre_, axis_));
+        const scalar start = max(source.start(), there.min());
+        const scalar end = min(source.end(), there.max());
+        if (!(start < end))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "The profile goes from r = " << source.start() << " to "
+                << source.end() << ", the mesh from " << there.min() << " to "
+                << there.max() << exit(FatalIOError);
+        }
+        return convexBody::Slab(centre_, axis_, start, end);
+    }
+
+    const scalar radius =
+    (
+        dict_.found("radius") ? positive(dict_, "radius") : source.end()
+    );
+    if (radius > source.end()*(1 + SMALL))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "radius is " << radius << ", but the profile ends at r = "
+            << source.end() << exit(FatalIOError);
+    }
+    if (geometry_ == cylindrical && mesh.dim() == 3)
+    {
+        return convexBody::Cylinder(centre_, axis_, radius);
+    }
+    return convexBody::round(mesh, centre_, radius);
+}
+
+
+Foam::gasNodes::State Foam::mappedProfile::gain
+(
+    const gasNodes& nodes,
+    const radialProfile& source,
+    const convexBody& region,
+    const bodyShare& share
+) const
+{
+    using constant::mathematical::pi;
+
+    const scalar around[] = {1, 2*pi, 4*pi};
+    const radialProfile::State content =
+        share.fraction()*share.across()*around[geometry_]
+       *source.integral(region.start(), region.end(), geometry_);
+
+    List<gasNodes::State> before(nodes.size());
+    forAll(before, i)
+    {
+        before[i] = nodes.state(i);
+    }
+    gasNodes::State wanted =
+        -share.correction()*nodes.integral(before, share.f());
+    wanted[mass] += content[0];
+    wanted[energy] += content[2];
+    return wanted;
+}
+
+
+Foam::List<Foam::gasNodes::State> Foam::mappedProfile::changes
+(
+    const gasNodes& nodes,
+    const radialProfile& source,
+    const convexBody& region,
+    const bodyShare& share
+) const
+{
+    List<gasNodes::State> change(nodes.size(), gasNodes::State::Zero());
+    forAll(change, i)
+    {
+        const scalar f = share.f()[i];
+        if (f > 0)
+        {
+            const point& x = nodes.x(i);
+            const scalar r =
+                max(region.start(), min(region.end(), region.r(x)));
+            const radialProfile::State s = source.at(r);
+            const vector e(region.along(x));
+            gasNodes::State here;
+            here << s[0], s[1]*e.x(), s[1]*e.y(), s[1]*e.z(), s[2];
+            change[i] = f*(here - nodes.state(i));
+        }
+    }
+    return change;
+}
+
+
+Foam::scalar Foam::mappedProfile::correction
+(
+    const gasNodes& nodes,
+    const List<gasNodes::State>& changes,
+    const gasNodes::State& wanted,
+    const label i
+) const
+{
+    scalarField change(changes.size());
+    forAll(change, nodei)
+    {
+        change[nodei] = changes[nodei][i];
+    }
+    const scalar defect = wanted[i] - nodes.integral(change);
+    const scalar whole = nodes.integral(mag(change)());
+
+    // A profile that is the gas already there
+    if (mag(defect) <= 1e-13*mag(nodes.total()[i]))
+    {
+        return 0;
+    }
+    if (!(mag(defect) <= 0.1*whole))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "On this mesh the profile's "
+            << (i == mass ? "mass" : "energy") << " is off by "
+            << 100*mag(defect)/max(whole, VSMALL)
+            << " % of what it changes, more than 10 %" << nl
+            << "    The mesh is too coarse for the profile: refine it within r "
+            << "= " << profile(nodes.gas()).end() << ", or map a later time, "
+            << "when the waves are longer" << exit(FatalIOError);
+    }
+    return defect/whole;
+}
+
+
+void Foam::mappedProfile::checkEnd
+(
+    const gasNodes& nodes,
+    const radialProfile& source,
+    const convexBody& region,
+    const bodyShare& share
+) const
+{
+    scalarField atEnd(nodes.size(), Zero);
+    scalarField difference(nodes.size(), Zero);
+    forAll(atEnd, i)
+    {
+        const scalar f = share.f()[i];
+        if (f > SMALL && f < 1 - 1e-9)
+        {
+            const gasNodes::State here = nodes.state(i);
+            const bool low = region.shape() == convexBody::slab
+             && 2*region.r(nodes.x(i)) < region.start() + region.end();
+            const radialProfile::State s =
+                source.at(low ? region.start() : region.end());
+            const scalar p = gasDynamics::pressure<1>(nodes.gas(), s);
+            atEnd[i] = 1;
+            difference[i] = max
+            (
+                mag(p/nodes.p()[i] - 1), mag(s[0]/here[0] - 1)
+            );
+        }
+    }
+    const scalar volume = nodes.integral(atEnd);
+    const scalar mean = nodes.integral(difference)/max(volume, VSMALL);
+    if (mean > 0.01)
+    {
+        const radialProfile::State s = source.at(region.end());
+        WarningInFunction
+            << "The profile ends with p = "
+            << gasDynamics::pressure<1>(nodes.gas(), s) << " Pa, rho = "
+            << s[0] << " kg/m3: " << 100*mean << " % off the gas around it in "
+            << "the mean" << nl << "    Check its units, the radius and the "
+            << "values of p and T around" << endl;
+    }
+}
+
+
+void Foam::mappedProfile::set(gasNodes& nodes) const
+{
+    const radialProfile source(profile(nodes.gas()));
+    const convexBody region(body(nodes.mesh(), source));
+    const bodyShare share(nodes, region, dict_);
+    checkEnd(nodes, source, region, share);
+
+    const gasNodes::State wanted = gain(nodes, source, region, share);
+    const List<gasNodes::State> change =
+        changes(nodes, source, region, share);
+    const scalar cMass = correction(nodes, change, wanted, mass);
+    const scalar cEnergy = correction(nodes, change, wanted, energy);
+    const gasNodes::State before = nodes.total();
+
+    // (I6)
+    forAll(change, i)
+    {
+        if (share.f()[i] > 0)
+        {
+            gasNodes::State s = nodes.state(i) + change[i];
+            const scalar rho = s[0];
+            s[mass] += cMass*mag(change[i][mass]);
+            s[energy] += cEnergy*mag(change[i][energy]);
+            s.segment<3>(1) *= s[0]/rho;
+            nodes.set(i, s);
+        }
+    }
+
+    const gasNodes::State after = nodes.total();
+    Info<< "    profile from r = " << region.start() << " to " << region.end()
+        << " m" << endl;
+    share.print(region);
+    Info<< "    correction of what it changes: mass " << 100*cMass
+        << " %, energy " << 100*cEnergy << " %" << nl
+        << "    scene: mass " << before[mass] << " -> " << after[mass]
+        << " kg, energy " << before[energy] << " -> " << after[energy]
+        << " J" << endl;
+}

@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+#include "sphericalCharge.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
+#include "stateInput.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(sphericalCharge, 0);
+    addToRunTimeSelectionTable(initialState, sphericalCharge, dictionary);
+}
+
+namespace
+{
+
+//- The edge of the ball is smeared over two spacings: with fewer nodes along
+//  the radius that is more than a fifth of it
+const Foam::scalar fewNodes = 10;
+
+} // End namespace
+
+
+Foam::sphericalCharge::sphericalCharge
+(
+    const feMesh& mesh,
+    const dictionary& dict
+)
+:
+    dict_(dict),
+    centre_(dict.get<point>("centre")),
+    byMass_(dict.found("mass") || dict.found("energy"))
+{
+    if (!byMass_)
+    {
+        checkKeywords(dict, {"centre", "radius", "p", "T", "U", "fraction"});
+        gasInput(mesh, dict);
+        positive(dict, "radius");
+        return;
+    }
+
+    checkKeywords
+    (
+        dict, {"centre", "mass", "energy", "radius", "density", "fraction"}
+    );
+    positive(dict, "mass");
+    positive(dict, "energy");
+    if (dict.found("radius") == dict.found("density"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "A charge of given mass and energy needs one of the entries "
+            << "radius and density" << exit(FatalIOError);
+    }
+    positive(dict, dict.found("radius") ? "radius" : "density");
+}
+
+
+Foam::scalar Foam::sphericalCharge::radiusOf
+(
+    const feMesh& mesh,
+    const scalar volume
+) const
+{
+    const convexBody unit(convexBody::round(mesh, centre_, 1));
+    return Foam::pow
+    (
+        volume/unit.volume(unit.across(mesh)), 1.0/mesh.dim()
+    );
+}
+
+
+void Foam::sphericalCharge::charge
+(
+    const gasNodes& nodes,
+    scalar& radius,
+    gasNodes::State& inside
+) const
+{
+    const feMesh& mesh = nodes.mesh();
+    if (!byMass_)
+    {
+        const gasInput in(mesh, dict_);
+        radius = positive(dict_, "radius");
+        inside = conservedState(nodes.gas(), in.p, in.U, in.T);
+        return;
+    }
+
+    const scalar mass = positive(dict_, "mass");
+    radius =
+    (
+        dict_.found("radius")
+      ? positive(dict_, "radius")
+      : radiusOf(mesh, mass/positive(dict_, "density"))
+    );
+    const convexBody body(convexBody::round(mesh, centre_, radius));
+    const scalar volume = body.volume(body.across(mesh));
+    inside = gasNodes::State::Zero();
+    inside[0] = mass/volume;
+    inside[4] = positive(dict_, "energy")/volume;
+}
+
+
+void Foam::sphericalCharge::set(gasNodes& nodes) const
+{
+    scalar radius = 0;
+    gasNodes::State inside;
+    charge(nodes, radius, inside);
+
+    const convexBody body
+    (
+        convexBody::round(nodes.mesh(), centre_, radius)
+    );
+    const bodyShare share(nodes, body, dict_);
+    const gasNodes::State before = nodes.total();
+
+    // (I4)
+    const scalar k = share.correction();
+    for (label i = 0; i < nodes.size(); ++i)
+    {
+        const scalar f = share.f()[i];
+        if (f > 0)
+        {
+            const gasNodes::State s = nodes.state(i);
+            nodes.set(i, s + k*f*(inside - s));
+        }
+    }
+
+    report(nodes, share, body, inside, before);
+}
+
+
+void Foam::sphericalCharge::report
+(
+    const gasNodes& nodes,
+    const bodyShare& share,
+    const convexBody& body,
+    const gasNodes::State& inside,
+    const gasNodes::State& before
+) const
+{
+    const gasDynamics::PerfectGas& gas = nodes.gas();
+    const scalar p = gasDynamics::pressure<3>(gas, inside);
+    const scalar volume = body.volume(share.across());
+    const gasNodes::State after = nodes.total();
+    const scalar n = share.nodesPerRadius(nodes, body);
+
+    Info<< "    radius " << body.end() << " m, p = " << p << " Pa, T = "
+        << gas.temperature(p, inside[0]) << " K, rho = " << inside[0]
+        << " kg/m3" << nl
+        << "    whole charge: mass " << inside[0]*volume << " kg, energy "
+        << inside[4]*volume << " J" << endl;
+    share.print(body);
+    Info<< "    correction of what it adds to the gas around it: "
+        << 100*(share.correction() - 1) << " %" << nl
+        << "    scene: mass " << before[0] << " -> " << after[0]
+        << " kg, energy " << before[4] << " -> " << after[4] << " J" << nl
+        << "    nodes along the radius: " << n << endl;
+
+    if (n < fewNodes)
+    {
+        WarningInFunction
+            << "The charge has only " << n << " nodes along its radius: mass "
+            << "and energy are exact, but its edge is smeared over "
+            << 200/n << " % of the radius" << endl;
+    }
+}
