@@ -17,7 +17,7 @@ void Foam::gasBoundary<dim>::facetForces
         forces[a] = Vec::Zero();
         for (int b = 0; b < dim; ++b)
         {
-            forces[a] += 0.5*(pressures[a] + pressures[b])*facet.M[a][b];
+            forces[a] += pressures[b]*facet.M[a][b];
         }
     }
 }
@@ -41,29 +41,34 @@ void Foam::gasBoundary<dim>::addWallFluxes
             const label* nodes = &patch->facets[dim*i];
             const auto& facet = geometry_.facet(number, i);
             double p[dim];
-            Vec force[dim];
             for (int b = 0; b < dim; ++b)
             {
-                p[b] = states[nodes[b]][pressure] - pRef;
+                p[b] = states[nodes[b]][pressure];
             }
-            facetForces(p, facet, force);
-
             for (int a = 0; a < dim; ++a)
             {
+                // The momentum's flux closes the dual volumes, (G16)
+                Vec force = Vec::Zero();
+                double work = 0;
+                for (int b = 0; b < dim; ++b)
+                {
+                    const Vec& M = facet.M[a][b];
+                    force += (0.5*(p[a] + p[b]) - pRef)*M;
+                    if (geometry_.moving())
+                    {
+                        const Vec& wa = geometry_.w(nodes[a]);
+                        const Vec& wb = geometry_.w(nodes[b]);
+                        work +=
+                            p[b]*M.dot(wa)
+                          - 0.25*(p[b] - p[a])*M.dot(wa + wb);
+                    }
+                }
                 gasRow& row = sum[nodes[a]];
                 for (int k = 0; k < dim; ++k)
                 {
-                    row[1 + k] -= dt*force[a][k];
+                    row[1 + k] -= dt*force[k];
                 }
-                if (geometry_.moving())
-                {
-                    // The work is that of the whole pressure
-                    for (int b = 0; b < dim; ++b)
-                    {
-                        force[a] += pRef*facet.M[a][b];
-                    }
-                    row[dim + 1] -= dt*force[a].dot(geometry_.w(nodes[a]));
-                }
+                row[dim + 1] -= dt*work;
             }
         }
     }
@@ -102,20 +107,19 @@ void Foam::gasBoundary<dim>::addOpenFluxes
             for (int a = 0; a < dim; ++a)
             {
                 State f = State::Zero();
-                double swept = 0;
                 for (int b = 0; b < dim; ++b)
                 {
                     const Vec S = 0.5*facet.M[a][b];
                     f += flux(a, S) + flux(b, S);
-                    swept += geometry_.w(nodes[b]).dot(facet.M[a][b]);
+                    if (geometry_.moving())
+                    {
+                        // Exact for uniform gas whatever the motion
+                        const double swept = geometry_.w(nodes[b]).dot(S);
+                        f -= swept*Eigen::Map<const State>(states[nodes[a]].v);
+                        f -= swept*Eigen::Map<const State>(states[nodes[b]].v);
+                    }
                 }
-                Eigen::Map<State> row(sum[nodes[a]].v);
-                row -= dt*f;
-                if (geometry_.moving())
-                {
-                    row += dt*swept
-                       *Eigen::Map<const State>(states[nodes[a]].v);
-                }
+                Eigen::Map<State>(sum[nodes[a]].v) -= dt*f;
             }
         }
     }

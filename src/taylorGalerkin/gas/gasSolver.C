@@ -105,6 +105,7 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
     ),
     rates_(geometry_),
     stable_(),
+    stateTime_(mesh.poly().time().value()),
     stableIsUpToDate_(false)
 {
     checkKeywords(feSchemes_, {"timeScheme", "shockCapturing"});
@@ -221,7 +222,7 @@ void Foam::gasSolver<dim>::stopIfBad
     // The state of the step's start belongs to the time before
     Time& runTime = const_cast<Time&>(mesh_.poly().time());
     const word failedAt(runTime.timeName());
-    runTime.setTime(runTime.value() - dt, runTime.timeIndex() - 1);
+    runTime.setTime(stateTime_, max(runTime.timeIndex() - 1, label(0)));
     updateFields();
     p_.write();
     U_.write();
@@ -292,6 +293,7 @@ void Foam::gasSolver<dim>::step(const scalar dt)
             << state_.p(bad) << " Pa";
     }
     stopIfBad(bad, what.str(), dt);
+    stateTime_ += dt;
     stableIsUpToDate_ = false;
 }
 

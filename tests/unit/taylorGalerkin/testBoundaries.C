@@ -188,11 +188,11 @@ TEST(Boundaries, stopsBeforeAStateThatCannotBe)
         expectMention(message, "no longer in a physical state");
         expectMention(message, "node ");
         expectMention(message, "maxCo");
-        expectMention(message, "qDif");
+        expectMention(message, "fluxCorrected");
 
         for (const char* name : {"p", "U", "T", "rho"})
         {
-            EXPECT_TRUE(isFile(gas.path()/"0"/name)) << name;
+            EXPECT_TRUE(isFile(gas.path()/gas.clock().timeName()/name)) << name;
         }
         EXPECT_GT(min(gas.scalars("p")), 0);
         EXPECT_GT(min(gas.scalars("rho")), 0);

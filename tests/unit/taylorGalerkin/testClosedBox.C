@@ -21,10 +21,13 @@ struct scheme
 
 const scheme schemes[] =
 {
-    {"lumped", "timeScheme twoStep;"},
+    {"lumped", "timeScheme twoStep; shockCapturing pressureLaplacian;"},
     {"consistent",
-        "timeScheme twoStep; twoStepCoeffs { massMatrix consistent; }"},
-    {"threeStep", "timeScheme threeStep;"}
+        "timeScheme twoStep; twoStepCoeffs { massMatrix consistent; }"
+        " shockCapturing pressureLaplacian;"},
+    {"pressureSwitch", "timeScheme twoStep; shockCapturing pressureSwitch;"},
+    {"fluxCorrected", "timeScheme twoStep; shockCapturing fluxCorrected;"},
+    {"threeStep", "timeScheme threeStep; shockCapturing pressureLaplacian;"}
 };
 
 boxMesh boxes(const label dim)
@@ -58,8 +61,7 @@ protected:
     {
         gasSettings s;
         s.box = boxes(std::get<1>(GetParam()));
-        s.schemes = std::string(std::get<0>(GetParam()).entries)
-          + " shockCapturing pressureLaplacian;";
+        s.schemes = std::get<0>(GetParam()).entries;
         s.start = blast;
         s.allPatches("wall");
         return s;
@@ -79,7 +81,7 @@ TEST_P(ClosedBox, keepsMassAndEnergy)
     EXPECT_NEAR(after.energy/before.energy, 1, 1e-13);
 
     // The blast has moved the gas
-    EXPECT_GT(max(mag(box.U())), 10);
+    EXPECT_GT(max(mag(box.U())), 5);
 }
 
 
