@@ -3,7 +3,6 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "feMesh.H"
-#include "wedgePolyPatch.H"
 #include "FlatOutput.H"
 
 namespace Foam
@@ -16,6 +15,11 @@ Foam::feMesh::feMesh(const polyMesh& mesh)
 :
     MeshObject<polyMesh, MoveableMeshObject, feMesh>(mesh),
     dim_(0),
+    curvature_(0),
+    radial_(0),
+    radialComponent_(0),
+    acrossComponent_(0),
+    axisTolerance_(0),
     depth_(1),
     splitCounts_(label(0))
 {
@@ -29,39 +33,6 @@ Foam::feMesh::feMesh(const polyMesh& mesh)
     findEdges();
     shareEdges();
     findPatches();
-}
-
-
-void Foam::feMesh::findDirections()
-{
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (isA<wedgePolyPatch>(pp))
-        {
-            FatalErrorInFunction
-                << "Patch " << pp.name() << " is a wedge: this version has "
-                << "lines, triangles (empty sides) and tetrahedra, but no "
-                << "axisymmetric scenes" << exit(FatalError);
-        }
-    }
-
-    const Vector<label> solved(mesh_.solutionD());
-    const vector span(mesh_.bounds().span());
-
-    DynamicList<direction> axes(3);
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (solved[d] > 0)
-        {
-            axes.append(d);
-        }
-        else
-        {
-            depth_ *= span[d];
-        }
-    }
-    axes_.transfer(axes);
-    dim_ = axes_.size();
 }
 
 
@@ -97,14 +68,14 @@ const Foam::fePatch& Foam::feMesh::patch(const word& name) const
 
 Foam::tmp<Foam::pointField> Foam::feMesh::gather
 (
-    const pointField& meshPointValues
+    const pointField& meshPoints
 ) const
 {
     auto tvalues = tmp<pointField>::New(nNodes());
     pointField& values = tvalues.ref();
     forAll(values, nodei)
     {
-        values[nodei] = meshPointValues[pointOfNode_[nodei]];
+        values[nodei] = scenePosition(meshPoints[pointOfNode_[nodei]]);
     }
     return tvalues;
 }

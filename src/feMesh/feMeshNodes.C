@@ -28,7 +28,9 @@ Foam::label root(Foam::labelList& parent, Foam::label i)
 
 void Foam::feMesh::findStations()
 {
+    const tmp<pointField> tscene(scenePositions(mesh_.points()));
     const pointField& points = mesh_.points();
+    const pointField& scene = tscene();
     labelList parent(identity(points.size()));
 
     if (dim_ < 3)
@@ -37,13 +39,13 @@ void Foam::feMesh::findStations()
         // smallest label is the group's root, hence its representative
         for (const edge& e : mesh_.edges())
         {
-            const vector d(e.vec(points));
+            const vector d(e.vec(scene));
             scalar inScene = 0;
             for (const direction axis : axes_)
             {
                 inScene = max(inScene, mag(d[axis]));
             }
-            if (inScene < 1e-6*mag(d))
+            if (inScene < 1e-6*e.mag(points))
             {
                 const label a = root(parent, e[0]);
                 const label b = root(parent, e[1]);
@@ -60,9 +62,9 @@ void Foam::feMesh::findStations()
         ++groupSize[stationOfPoint_[pointi]];
     }
 
-    const label expected = (dim_ == 3 ? 1 : dim_ == 2 ? 2 : 4);
     forAll(points, pointi)
     {
+        const label expected = stationSize(scene[pointi]);
         const label n = groupSize[stationOfPoint_[pointi]];
         if (n != expected)
         {
@@ -72,9 +74,31 @@ void Foam::feMesh::findStations()
                 << nl << "    the point at " << points[pointi]
                 << " stands in line with " << n - 1
                 << " other point(s) instead of " << expected - 1 << nl
-                << "    Check the empty patches and the mesh's thickness"
+                << "    Check the " << (curvature_ ? "wedge and " : "")
+                << "empty patches and the mesh's thickness"
                 << exit(FatalError);
         }
+        if (curvature_ && points[pointi][radialComponent_] < -axisTolerance_)
+        {
+            FatalErrorInFunction
+                << "The point at " << points[pointi] << " lies on the negative "
+                << "side of the axis: a mesh with wedge patches must lie where "
+                << vector::componentNames[radialComponent_] << " is positive"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+Foam::label Foam::feMesh::stationSize(const point& scenePosition) const
+{
+    const bool onAxis =
+        curvature_ > 0 && scenePosition[radialComponent_] == 0;
+    switch (dim_)
+    {
+        case 1: return !onAxis ? 4 : curvature_ == 1 ? 2 : 1;
+        case 2: return onAxis ? 1 : 2;
+        default: return 1;
     }
 }
 
@@ -112,7 +136,8 @@ void Foam::feMesh::findNodes()
 
 void Foam::feMesh::findImages()
 {
-    const pointField& points = mesh_.points();
+    const tmp<pointField> tscene(scenePositions(mesh_.points()));
+    const pointField& points = tscene();
     cornerOfPoint_.setSize(points.size());
     DynamicList<label> imageNode;
     DynamicList<vector> imageShift;

@@ -8,6 +8,7 @@
 #include "faceFans.H"
 #include "polygonSplit.H"
 #include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
 
 Foam::labelList Foam::feMesh::faceCorners(const label facei) const
 {
@@ -44,7 +45,11 @@ Foam::labelList Foam::feMesh::faceFacets(const label facei) const
 }
 
 
-Foam::labelList Foam::feMesh::segment(const label celli) const
+Foam::labelList Foam::feMesh::segment
+(
+    const label celli,
+    const pointField& x
+) const
 {
     DynamicList<label> points(2);
     for (const label pointi : mesh_.cellPoints(celli))
@@ -57,7 +62,7 @@ Foam::labelList Foam::feMesh::segment(const label celli) const
     if (points.size() == 2)
     {
         const direction axis = axes_[0];
-        if (mesh_.points()[points[0]][axis] > mesh_.points()[points[1]][axis])
+        if (x[points[0]][axis] > x[points[1]][axis])
         {
             std::swap(points[0], points[1]);
         }
@@ -74,8 +79,9 @@ Foam::labelList Foam::feMesh::outline(const label celli) const
         {
             continue;
         }
-        const label patchi = mesh_.boundaryMesh().whichPatch(facei);
-        if (!isA<emptyPolyPatch>(mesh_.boundaryMesh()[patchi]))
+        const polyPatch& pp =
+            mesh_.boundaryMesh()[mesh_.boundaryMesh().whichPatch(facei)];
+        if (!isA<emptyPolyPatch>(pp) && !isA<wedgePolyPatch>(pp))
         {
             continue;
         }
@@ -94,7 +100,7 @@ Foam::labelList Foam::feMesh::outline(const label celli) const
     }
     FatalErrorInFunction
         << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
-        << " has no face on an empty patch" << exit(FatalError);
+        << " has no face on an empty or wedge patch" << exit(FatalError);
     return labelList();
 }
 
@@ -102,17 +108,17 @@ Foam::labelList Foam::feMesh::outline(const label celli) const
 bool Foam::feMesh::splitCell
 (
     const label celli,
+    const pointField& x,
     polyhedronSplitter& splitter,
     const splitOrder& before,
     DynamicList<label>& points,
     splitKind& kind
 ) const
 {
-    const pointField& x = mesh_.points();
     if (dim_ == 1)
     {
         kind = untouched;
-        const labelList ends(segment(celli));
+        const labelList ends(segment(celli, x));
         points.append(ends);
         const direction axis = axes_[0];
         return ends.size() == 2 && x[ends[0]][axis] < x[ends[1]][axis];
@@ -171,7 +177,8 @@ void Foam::feMesh::splitCells()
         faceFans_ = faceFans(mesh_, before);
     }
 
-    polyhedronSplitter splitter(mesh_.points(), before);
+    const tmp<pointField> tx(scenePositions(mesh_.points()));
+    polyhedronSplitter splitter(tx(), before);
     DynamicList<label> corners((dim_ == 3 ? 20 : 6)*mesh_.nCells());
     DynamicList<label> cells(corners.capacity()/(dim_ + 1));
     DynamicList<label> points(24), unsplit;
@@ -180,7 +187,7 @@ void Foam::feMesh::splitCells()
     {
         points.clear();
         splitKind kind(untouched);
-        if (!splitCell(celli, splitter, before, points, kind))
+        if (!splitCell(celli, tx(), splitter, before, points, kind))
         {
             unsplit.append(celli);
             continue;

@@ -66,23 +66,6 @@ TEST(FeMeshErrors, obliqueEdgesAcrossAPlaneScene)
 }
 
 
-// 5 degrees about the x axis
-TEST(FeMeshErrors, wedge)
-{
-    boxMesh box(boxMesh::plane(3, 3));
-    box.types[4] = box.types[5] = "wedge";
-    box.map = [](const point& x)
-    {
-        const scalar angle = (x.z() > 0.05 ? 1 : -1)*2.5*M_PI/180;
-        const scalar r = x.y() + 0.1;
-        return point(x.x(), r*std::cos(angle), r*std::sin(angle));
-    };
-    const std::string message = errorOf(box);
-    expectMention(message, "back");
-    expectMention(message, "wedge");
-}
-
-
 // A corner goes beyond the opposite corner: the outline crosses itself
 TEST(FeMeshErrors, crossedCell)
 {

@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 // A decomposed mesh is the undecomposed one: nodes, simplices, edges, sums
 
+#include "blockCase.H"
 #include "meshDump.H"
-#include "testFolder.H"
 
 #include <gtest/gtest.h>
 
@@ -14,32 +14,26 @@ using namespace Foam;
 namespace
 {
 
-//- A block mesh, its decomposition, and a name for the test's report
+//- A mesh, its decomposition, and a name for the test's report
 struct decomposedScene
 {
     const char* name;
-
-    //- Cells, and what divides them
-    const char* cells;
+    std::string blockMeshDict;
     const char* division;
     int nProcs;
-
-    //- Types of the sides in x, y, z
-    const char* sides[3];
 };
 
 void PrintTo(const decomposedScene& s, std::ostream* os) { *os << s.name; }
 
-std::string side(const char* name, const char* other, const char* type,
-    const char* face)
+decomposedScene scene
+(
+    const char* name,
+    const blockDict& dict,
+    const char* division,
+    const int nProcs
+)
 {
-    std::string text(std::string(name) + " { type " + type + "; faces (("
-        + face + ")); ");
-    if (std::string(type) == "cyclic")
-    {
-        text += std::string("neighbourPatch ") + other + "; ";
-    }
-    return text + "}\n";
+    return {name, dict.text(), division, nProcs};
 }
 
 class Decomposed
@@ -48,65 +42,36 @@ class Decomposed
 {
 protected:
 
-    testFolder folder;
     const decomposedScene& scene = GetParam();
+    blockCase blocks{scene.blockMeshDict};
 
-    void write() const
+    meshDump dump(const int nProcs, const int i) const
     {
-        const auto& s = scene.sides;
-        folder.writeDict
+        return meshDump::read
         (
-            "system/blockMeshDict",
-            std::string("scale 1; vertices ((0 0 0) (1.1 0 0) (1.1 1 0)"
-            " (0 1 0) (0 0 1) (1.1 0 1) (1.1 1 1) (0 1 1));"
-            " blocks (hex (0 1 2 3 4 5 6 7) (") + scene.cells
-            + ") simpleGrading (3 1 0.5)); edges (); boundary (\n"
-            + side("left", "right", s[0], "0 4 7 3")
-            + side("right", "left", s[0], "1 2 6 5")
-            + side("bottom", "top", s[1], "0 1 5 4")
-            + side("top", "bottom", s[1], "3 7 6 2")
-            + side("back", "front", s[2], "0 3 2 1")
-            + side("front", "back", s[2], "4 5 6 7") + ");"
+            blocks.folder.path()/"dump." + std::to_string(nProcs) + "."
+          + std::to_string(i)
         );
-        folder.writeDict("system/fvSchemes", "");
-        folder.writeDict("system/fvSolution", "");
-        folder.writeDict
+    }
+
+    //- Dumps of all processors, after one of the undecomposed mesh
+    std::vector<meshDump> dumps() const
+    {
+        blocks.folder.writeDict
         (
             "system/decomposeParDict",
             "numberOfSubdomains " + std::to_string(scene.nProcs)
             + "; method hierarchical; coeffs { n (" + scene.division
             + "); order xyz; }"
         );
-    }
-
-    int run(const std::string& command) const
-    {
-        const std::string log = folder.path() + "/log";
-        const int status =
-            std::system((command + " > " + log + " 2>&1").c_str());
-        if (status)
-        {
-            std::ifstream is(log);
-            ADD_FAILURE() << command << "\n"
-                << std::string(std::istreambuf_iterator<char>(is), {});
-        }
-        return status;
-    }
-
-    //- Dumps of all processors, after one of the undecomposed mesh
-    std::vector<meshDump> dumps() const
-    {
-        const std::string onCase = " -case " + folder.path();
         const std::string self =
             std::string(std::getenv("SHOCKSHELL_APPBIN"))
-          + "/tests/feMeshParallel -dump" + onCase;
-        write();
+          + "/tests/feMeshCases -dump" + blocks.onCase();
         std::vector<meshDump> result;
         if
         (
-            run("blockMesh" + onCase) || run(self)
-         || run("decomposePar" + onCase)
-         || run
+            blocks.run(self) && blocks.run("decomposePar" + blocks.onCase())
+         && blocks.run
             (
                 "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
                 "mpirun --oversubscribe -np " + std::to_string(scene.nProcs)
@@ -114,15 +79,11 @@ protected:
             )
         )
         {
-            return result;
-        }
-        result.push_back(meshDump::read(folder.path()/"dump.1.0"));
-        for (int i = 0; i < scene.nProcs; ++i)
-        {
-            const std::string name =
-                "dump." + std::to_string(scene.nProcs) + "."
-              + std::to_string(i);
-            result.push_back(meshDump::read(folder.path()/name));
+            result.push_back(dump(1, 0));
+            for (int i = 0; i < scene.nProcs; ++i)
+            {
+                result.push_back(dump(scene.nProcs, i));
+            }
         }
         return result;
     }
@@ -227,20 +188,25 @@ INSTANTIATE_TEST_SUITE_P
 (
     Scenes, Decomposed, testing::Values
     (
-        decomposedScene{"line", "9 1 1", "2 1 1", 2,
-            {"patch", "empty", "empty"}},
-        decomposedScene{"plane", "7 6 1", "2 2 1", 4,
-            {"patch", "patch", "empty"}},
-        decomposedScene{"space", "5 4 3", "2 2 1", 4,
-            {"patch", "patch", "patch"}},
-        decomposedScene{"periodicLine", "5 1 1", "2 1 1", 2,
-            {"cyclic", "empty", "empty"}},
-        decomposedScene{"periodicPlane", "6 4 1", "2 2 1", 4,
-            {"cyclic", "cyclic", "empty"}},
-        decomposedScene{"periodicTwo", "4 4 2", "2 1 1", 2,
-            {"cyclic", "patch", "cyclic"}},
-        decomposedScene{"periodicThree", "5 4 4", "4 1 1", 4,
-            {"cyclic", "cyclic", "cyclic"}}
+        scene("line", boxDict("9 1 1", {"patch", "empty", "empty"}),
+            "2 1 1", 2),
+        scene("plane", boxDict("7 6 1", {"patch", "patch", "empty"}),
+            "2 2 1", 4),
+        scene("space", boxDict("5 4 3", {"patch", "patch", "patch"}),
+            "2 2 1", 4),
+        scene("periodicLine", boxDict("5 1 1", {"cyclic", "empty", "empty"}),
+            "2 1 1", 2),
+        scene("periodicPlane", boxDict("6 4 1", {"cyclic", "cyclic", "empty"}),
+            "2 2 1", 4),
+        scene("periodicTwo", boxDict("4 4 2", {"cyclic", "patch", "cyclic"}),
+            "2 1 1", 2),
+        scene("periodicThree", boxDict("5 4 4", {"cyclic", "cyclic", "cyclic"}),
+            "4 1 1", 4),
+        scene("wedge", wedgeDict("8 4 1", 0.1), "2 2 1", 4),
+        scene("periodicWedge", wedgeDict("8 4 1", 0.1, 0, "cyclic"),
+            "2 2 1", 4),
+        scene("cylinder", wedgeDict("1 8 1", 0.1, 2, "empty"), "2 1 1", 2),
+        scene("sphere", pyramidDict("9 1 1", 0.1, 0.15), "2 1 1", 2)
     ),
     [](const auto& info) { return std::string(info.param.name); }
 );

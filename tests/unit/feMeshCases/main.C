@@ -3,7 +3,7 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 // Without arguments of its own the program runs the tests. They start it again
-// under mpirun, as  feMeshParallel -dump -case <case> [-parallel], to write
+// under mpirun, as  feMeshCases -dump -case <case> [-parallel], to write
 // what each processor holds to <case>/dump.<number of processors>.<processor>.
 
 #include "argList.H"
