@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 #include "gasNodes.H"
 #include "nodeVolumes.H"
-#include "syncTools.H"
 #include "PstreamReduceOps.H"
 
 namespace
@@ -163,11 +162,12 @@ Foam::gasNodes::State Foam::gasNodes::total() const
 
 Foam::label Foam::gasNodes::count(const boolList& chosen) const
 {
-    const auto master = syncTools::getMasterPoints(mesh_.poly());
-    label n = 0;
+    scalarField copies(size(), 1.0);
+    sumCopies(mesh_, copies);
+    scalar n = 0;
     forAll(chosen, i)
     {
-        n += (chosen[i] && master[mesh_.pointOfNode()[i]]);
+        n += (chosen[i] ? 1/copies[i] : 0);
     }
-    return returnReduce(n, sumOp<label>());
+    return label(std::round(returnReduce(n, sumOp<scalar>())));
 }

@@ -5,6 +5,46 @@
 #include "radialProfile.H"
 #include "ListOps.H"
 
+namespace
+{
+
+void checkRow
+(
+    const Foam::profileRow& row,
+    const Foam::scalar rBefore,
+    const bool round,
+    const Foam::dictionary& dict
+)
+{
+    using namespace Foam;
+
+    if (!(row.rho > 0) || !(row.p > 0) || !std::isfinite(row.u))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The profile has rho = " << row.rho << ", u = " << row.u
+            << ", p = " << row.p << " at r = " << row.r << " ("
+            << row.where.c_str() << "): rho and p must be positive"
+            << exit(FatalIOError);
+    }
+    if (!(row.r > rBefore) || (round && row.r < 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "r is " << row.r << " at " << row.where.c_str()
+            << ": it must grow from row to row"
+            << (round ? " and not be negative" : "")
+            << exit(FatalIOError);
+    }
+    if (round && row.r <= 0 && mag(row.u) > 1e-6*std::sqrt(row.p/row.rho))
+    {
+        FatalIOErrorInFunction(dict)
+            << "u is " << row.u << " at r = 0 (" << row.where.c_str()
+            << "), where a radial velocity must be 0" << exit(FatalIOError);
+    }
+}
+
+} // End namespace
+
+
 Foam::radialProfile::radialProfile
 (
     const gasDynamics::PerfectGas& gas,
@@ -41,29 +81,7 @@ Foam::radialProfile::radialProfile
     forAll(rows, i)
     {
         const profileRow& row = rows[i];
-        if (!(row.rho > 0) || !(row.p > 0) || !std::isfinite(row.u))
-        {
-            FatalIOErrorInFunction(dict)
-                << "The profile has rho = " << row.rho << ", u = " << row.u
-                << ", p = " << row.p << " at r = " << row.r << " ("
-                << row.where.c_str() << "): rho and p must be positive"
-                << exit(FatalIOError);
-        }
-        if ((i && !(row.r > rows[i - 1].r)) || (round && row.r < 0))
-        {
-            FatalIOErrorInFunction(dict)
-                << "r is " << row.r << " at " << row.where.c_str()
-                << ": it must grow from row to row"
-                << (round ? " and not be negative" : "")
-                << exit(FatalIOError);
-        }
-        if (round && row.r <= 0 && mag(row.u) > 1e-6*std::sqrt(row.p/row.rho))
-        {
-            FatalIOErrorInFunction(dict)
-                << "u is " << row.u << " at r = 0 (" << row.where.c_str()
-                << "), where a radial velocity must be 0"
-                << exit(FatalIOError);
-        }
+        checkRow(row, i ? rows[i - 1].r : -GREAT, round, dict);
         add(row.r, (round && row.r <= 0 ? 0 : row.u), row);
     }
     r_.transfer(r);

@@ -37,6 +37,60 @@ bool isNumber(const Foam::word& w)
     return Foam::readScalar(w, value);
 }
 
+//- A table's lines and where they are, for errors
+struct tableReader
+{
+    const Foam::fileName& file;
+    const Foam::dictionary& dict;
+    Foam::label number;
+
+    void fail(const std::string& problem) const
+    {
+        using namespace Foam;
+        FatalIOErrorInFunction(dict)
+            << file << ", line " << number << ": " << problem.c_str() << nl
+            << "    Needed are the columns " << flatOutput(columns)
+            << ", named in the first line or in this order"
+            << exit(FatalIOError);
+    }
+
+    void checkNames(const Foam::wordList& names) const
+    {
+        for (const Foam::word& column : columns)
+        {
+            if (!names.found(column))
+            {
+                fail("no column " + column);
+            }
+        }
+    }
+
+    Foam::profileRow row
+    (
+        const Foam::wordList& names,
+        const Foam::wordList& words
+    ) const
+    {
+        if (words.size() != names.size())
+        {
+            fail("another number of columns");
+        }
+        Foam::scalar value[4];
+        forAll(columns, i)
+        {
+            if (!Foam::readScalar(words[names.find(columns[i])], value[i]))
+            {
+                fail("not a number");
+            }
+        }
+        return Foam::profileRow
+        {
+            value[0], value[1], value[2], value[3],
+            "line " + Foam::name(number) + " of " + file
+        };
+    }
+};
+
 } // End namespace
 
 
@@ -55,22 +109,13 @@ Foam::List<Foam::profileRow> Foam::readTable
     IFstream is(file);
     wordList names(columns);
     DynamicList<profileRow> rows;
-    label number = 0;
-    auto fail = [&](const char* problem)
-    {
-        FatalIOErrorInFunction(dict)
-            << file << ", line " << number << ": " << problem << nl
-            << "    Needed are the columns " << flatOutput(columns)
-            << ", named in the first line or in this order"
-            << exit(FatalIOError);
-    };
+    tableReader table{file, dict, 0};
 
-    std::string text;
     while (is.good())
     {
         string line;
         is.getLine(line);
-        ++number;
+        ++table.number;
         const wordList words(split(line));
         if (words.empty() || words.first()[0] == '#')
         {
@@ -79,35 +124,10 @@ Foam::List<Foam::profileRow> Foam::readTable
         if (rows.empty() && !isNumber(words.first()))
         {
             names = words;
-            for (const word& column : columns)
-            {
-                if (!names.found(column))
-                {
-                    fail(("no column " + column).c_str());
-                }
-            }
+            table.checkNames(names);
             continue;
         }
-        if (words.size() != names.size())
-        {
-            fail("another number of columns");
-        }
-        scalar value[4];
-        forAll(columns, i)
-        {
-            if (!readScalar(words[names.find(columns[i])], value[i]))
-            {
-                fail("not a number");
-            }
-        }
-        rows.append
-        (
-            profileRow
-            {
-                value[0], value[1], value[2], value[3],
-                "line " + Foam::name(number) + " of " + file
-            }
-        );
+        rows.append(table.row(names, words));
     }
     return List<profileRow>(rows);
 }

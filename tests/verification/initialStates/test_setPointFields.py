@@ -83,10 +83,10 @@ def test_parallel(tmp_path, dim, parts):
         for one, two in zip(*(case.scene(after) for case in cases)):
             assert one == pytest.approx(two, rel=1e-12)
 
-    # The log counts points that processors share once
-    count = re.compile(r"T = 300 at (\d+) points")
-    one, two = (count.search(case.log).group(1) for case in cases)
-    assert one == two
+    # The log counts points and nodes that processors share once
+    for words in (r"T = 300 at (\d+) points", r"(\d+) nodes behind it"):
+        one, two = (re.search(words, case.log).group(1) for case in cases)
+        assert one == two
 
 
 def test_regions(tmp_path):
