@@ -48,14 +48,13 @@ CONTROL = """
 application     shockShellFoam;
 startFrom       startTime;
 startTime       0;
-stopAt          endTime;
 writeFormat     ascii;
 writePrecision  16;
 timeFormat      general;
 timePrecision   12;
 """
-# Motion solvers of OpenFOAM, by the field that drives them. The displacement is
-# exact at each time, but displacementLaplacian is unstable when a length halves
+# Motion solvers of OpenFOAM, by the field that drives them. The displacement
+# is exact at each time, but displacementLaplacian is unstable when a length halves
 # (it is linear in the moved coordinates); with the velocity the walls' places
 # are sums over the steps.
 MOTION = """
@@ -102,7 +101,8 @@ class BenchmarkCase(FoamCase):
             (self.path / name).mkdir(parents=True)
         self.write("system/blockMeshDict", mesh.text(), headed=True)
         self.write("system/feSchemes", scheme(capturing))
-        self.control({"endTime": 1, "deltaT": 1, "writeInterval": 1})
+        self.control({"stopAt": "endTime", "endTime": 1, "deltaT": 1,
+                      "writeInterval": 1})
         self.write("system/fvSchemes", FV_SCHEMES)
         self.write("system/fvSolution", FV_SOLUTION)
         self.write("constant/thermophysicalProperties", THERMO.format(
@@ -200,7 +200,8 @@ class BenchmarkCase(FoamCase):
                 field: f"type {kind}; value {listed(value)};"
                 for field, value in self.primitive(outer, points).items()
             }
-        same = {"open": ("zeroGradient",) * 2, "wall": ("zeroGradient", "slip")}
+        same = {"open": ("zeroGradient", "zeroGradient"),
+                "wall": ("zeroGradient", "slip")}
         scalars, vectors = same.get(chosen, (chosen, chosen))
         return {"p": f"type {scalars};", "T": f"type {scalars};",
                 "U": f"type {vectors};"}
@@ -249,7 +250,7 @@ class BenchmarkCase(FoamCase):
     def runTo(self, endTime, check=True, timeout=40, **control):
         """Runs to endTime. control: entries of controlDict."""
         entries = {
-            "endTime": endTime, "deltaT": 1e-9 * endTime,
+            "stopAt": "endTime", "endTime": endTime, "deltaT": 1e-9 * endTime,
             "adjustTimeStep": "yes", "maxCo": MAX_CO,
             "writeControl": "adjustableRunTime", "writeInterval": endTime,
             **control,
