@@ -130,19 +130,13 @@ class BenchmarkCase(FoamCase):
         side = np.ones(len(self.allPoints), bool)
         for axis in range(self.mesh.dim, 3):
             z = self.allPoints[:, axis]
-            side &= z <= z.min() + 1e-9 * np.ptp(z)
-        if self.mesh.dim == 1 and "wedge3" in self.mesh.patches:
-            side = self.nearestSide()
+            # A wedge has points on both sides of 0, and those of its axis at 0
+            side &= z <= (0 if z.min() < 0 else z.min() + 1e-9 * np.ptp(z))
         self.side = np.flatnonzero(side)
         # Lines in the order of x
         if self.mesh.dim == 1:
             self.side = self.side[np.argsort(self.allPoints[self.side, 0])]
         self.x = self.allPoints[self.side]
-
-    def nearestSide(self):
-        """One of the four edges of a slice of a sphere."""
-        x = self.allPoints
-        return (x[:, 1] <= 0) & (x[:, 2] <= 0)
 
     def movePoints(self, points):
         """Replace the mesh points (all of them)."""
@@ -247,7 +241,7 @@ class BenchmarkCase(FoamCase):
             for k, v in entries.items()
         ))
 
-    def runTo(self, endTime, check=True, timeout=40, **control):
+    def runTo(self, endTime, check=True, timeout=120, **control):
         """Runs to endTime. control: entries of controlDict."""
         entries = {
             "stopAt": "endTime", "endTime": endTime, "deltaT": 1e-9 * endTime,
