@@ -48,14 +48,13 @@ CONTROL = """
 application     shockShellFoam;
 startFrom       startTime;
 startTime       0;
-stopAt          endTime;
 writeFormat     ascii;
 writePrecision  16;
 timeFormat      general;
 timePrecision   12;
 """
-# Motion solvers of OpenFOAM, by the field that drives them. The displacement is
-# exact at each time, but displacementLaplacian is unstable when a length halves
+# Motion solvers of OpenFOAM, by the field that drives them. The displacement
+# is exact at each time, but displacementLaplacian is unstable when a length halves
 # (it is linear in the moved coordinates); with the velocity the walls' places
 # are sums over the steps.
 MOTION = """
@@ -102,7 +101,8 @@ class BenchmarkCase(FoamCase):
             (self.path / name).mkdir(parents=True)
         self.write("system/blockMeshDict", mesh.text(), headed=True)
         self.write("system/feSchemes", scheme(capturing))
-        self.control({"endTime": 1, "deltaT": 1, "writeInterval": 1})
+        self.control({"stopAt": "endTime", "endTime": 1, "deltaT": 1,
+                      "writeInterval": 1})
         self.write("system/fvSchemes", FV_SCHEMES)
         self.write("system/fvSolution", FV_SOLUTION)
         self.write("constant/thermophysicalProperties", THERMO.format(
@@ -130,19 +130,13 @@ class BenchmarkCase(FoamCase):
         side = np.ones(len(self.allPoints), bool)
         for axis in range(self.mesh.dim, 3):
             z = self.allPoints[:, axis]
-            side &= z <= z.min() + 1e-9 * np.ptp(z)
-        if self.mesh.dim == 1 and "wedge3" in self.mesh.patches:
-            side = self.nearestSide()
+            # A wedge has points on both sides of 0, and those of its axis at 0
+            side &= z <= (0 if z.min() < 0 else z.min() + 1e-9 * np.ptp(z))
         self.side = np.flatnonzero(side)
         # Lines in the order of x
         if self.mesh.dim == 1:
             self.side = self.side[np.argsort(self.allPoints[self.side, 0])]
         self.x = self.allPoints[self.side]
-
-    def nearestSide(self):
-        """One of the four edges of a slice of a sphere."""
-        x = self.allPoints
-        return (x[:, 1] <= 0) & (x[:, 2] <= 0)
 
     def movePoints(self, points):
         """Replace the mesh points (all of them)."""
@@ -200,7 +194,8 @@ class BenchmarkCase(FoamCase):
                 field: f"type {kind}; value {listed(value)};"
                 for field, value in self.primitive(outer, points).items()
             }
-        same = {"open": ("zeroGradient",) * 2, "wall": ("zeroGradient", "slip")}
+        same = {"open": ("zeroGradient", "zeroGradient"),
+                "wall": ("zeroGradient", "slip")}
         scalars, vectors = same.get(chosen, (chosen, chosen))
         return {"p": f"type {scalars};", "T": f"type {scalars};",
                 "U": f"type {vectors};"}
@@ -246,10 +241,10 @@ class BenchmarkCase(FoamCase):
             for k, v in entries.items()
         ))
 
-    def runTo(self, endTime, check=True, timeout=40, **control):
+    def runTo(self, endTime, check=True, timeout=120, **control):
         """Runs to endTime. control: entries of controlDict."""
         entries = {
-            "endTime": endTime, "deltaT": 1e-9 * endTime,
+            "stopAt": "endTime", "endTime": endTime, "deltaT": 1e-9 * endTime,
             "adjustTimeStep": "yes", "maxCo": MAX_CO,
             "writeControl": "adjustableRunTime", "writeInterval": endTime,
             **control,

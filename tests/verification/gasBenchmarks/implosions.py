@@ -5,7 +5,7 @@ import re
 import numpy as np
 
 from benchmarkCase import BenchmarkCase
-from blockMeshes import box, wedge
+from blockMeshes import axisymmetric, box, wedge
 from exactSolutions import noh
 
 COLD = 1e-6  # pressure instead of none
@@ -20,11 +20,18 @@ def corner(directions, cells, length=1.0):
 
 
 def slices(directions, cells, length=1.0):
+    """Lines along a radius of a cylinder (2) or a sphere (3)."""
     return wedge(length, cells, directions - 1), ()
 
 
-def radius(x):
-    return np.sqrt((x**2).sum(axis=1))
+def quarter(directions, cells, length=1.0):
+    """Half a plane through a sphere's axis, which is along x."""
+    return axisymmetric(length, length, (cells, cells)), ("left",)
+
+
+def radius(mesh, x):
+    """In the directions that the scene has."""
+    return np.sqrt((x[:, :mesh.dim]**2).sum(axis=1))
 
 
 def boundary(mesh, walls, outer):
@@ -44,13 +51,13 @@ def runNoh(folder, directions, cells, meshOf=corner):
     case = BenchmarkCase(folder, mesh, gamma=5 / 3)
 
     def state(x):
-        r = radius(x)[:, None]
-        U = -x / np.where(r > 0, r, 1)
+        r = radius(mesh, x)[:, None]
+        U = -x * (np.arange(3) < mesh.dim) / np.where(r > 0, r, 1)
         return np.ones(len(x)), U, COLD
 
     case.start(state, boundary(mesh, walls, "fixed"))
     case.runTo(NOH_END)
-    r = radius(case.x)
+    r = radius(mesh, case.x)
     near = r < NOH_REACH
     exact = noh(r[near], NOH_END, directions)[0]
     return case, r[near], case.result("rho")[near], exact
@@ -67,7 +74,7 @@ def explosion(folder, directions, cells, end, length=1.2, width=3.0,
     def state(x):
         # A smooth hat, so that the energy hardly depends on how nodes are
         # counted; the energy that the case really has is in its log
-        s = np.minimum(radius(x) / (width * h), 1)
+        s = np.minimum(radius(mesh, x) / (width * h), 1)
         hat = 1 + np.cos(np.pi * s)
         whole = integral(directions) * (width * h)**directions
         return np.ones(len(x)), 0.0, COLD + 0.4 * hat / whole

@@ -22,14 +22,15 @@ class Tube:
     length: float = 1.0
     gamma: float = 1.4
 
-    def exact(self, x, h):
-        """Means of rho, u and p at the end over x - h/2 to x + h/2; the
-        diaphragm is at x0 + h/2, in the middle of an element."""
+    def exact(self, low, high, shift):
+        """Means of rho, u and p at the end from low to high; the diaphragm
+        is at x0 + shift."""
         solution = Riemann(self.left, self.right, self.gamma)
-        offsets = (np.arange(PIECES) + 0.5) / PIECES * h
+        parts = (np.arange(PIECES) + 0.5) / PIECES
         return sum(
-            solution.sample((x - self.x0 - offset) / self.end)
-            for offset in offsets
+            solution.sample(
+                (low + s * (high - low) - self.x0 - shift) / self.end)
+            for s in parts
         ) / PIECES
 
     def state(self, x):
@@ -63,10 +64,22 @@ def run(folder, tube, cells, mesh=None):
     return (case,) + compare(case, tube, tube.length / cells)
 
 
-def compare(case, tube, h):
+def compare(case, tube, h, across=True):
+    """x, and (rho, u, p) ours and exact; the elements are of size h at x0.
+
+    across: the nodes are on planes across the tube; the exact means are then
+    over half of the distances to the planes beside, otherwise over h.
+    """
+    x = case.x[:, 0]
     ours = np.array([
         case.result("rho"), case.result("U")[:, 0], case.result("p")])
-    return case.x[:, 0], ours, tube.exact(case.x[:, 0], h)
+    low, high = x - 0.5 * h, x + 0.5 * h
+    if across:
+        places, node = np.unique(x.round(9), return_inverse=True)
+        middle = 0.5 * (places[1:] + places[:-1])
+        ends = np.r_[places[0], middle, places[-1]]
+        low, high = ends[node], ends[node + 1]
+    return x, ours, tube.exact(low, high, 0.5 * h)
 
 
 def l1Errors(x, ours, exact):

@@ -5,7 +5,7 @@ import pytest
 
 from errorNorms import l1, orders, weights1D
 from exactSolutions import Sedov
-from implosions import COLD, energyHeld, explosion, radius, slices
+from implosions import COLD, energyHeld, explosion, quarter, radius, slices
 
 LENGTH = 1.2
 END = {1: 0.5, 2: 0.75, 3: 0.75}
@@ -37,20 +37,20 @@ def frontRadius(r, rho, blast):
     return np.interp(-level, -mean[out - 1:out + 1], middle[out - 1:out + 1])
 
 
-def check(tmp_path, table, directions, numbers, name, mesh, slice1D=False):
+def check(tmp_path, table, directions, numbers, name, mesh, meshOf=None):
     errors, offs, seconds = [], [], []
     for n in numbers:
-        options = {"meshOf": slices} if slice1D else {}
+        options = {"meshOf": meshOf} if meshOf else {}
         case = explosion(tmp_path / str(n), directions, n, END[directions],
                          LENGTH, **options)
         # The energy of a slice is that which the initial state was made for
-        energy = (1 if directions > 1 else 0.5) if slice1D else \
-            energyHeld(case, directions, LENGTH)
+        energy = 1 if meshOf else energyHeld(case, directions, LENGTH)
         blast = Sedov(energy, END[directions], directions)
-        r, rho = radius(case.x), case.result("rho")
+        r, rho = radius(case.mesh, case.x), case.result("rho")
         assert rho.min() > 0 and case.result("p").min() > 0
         near = r < 1.1 * blast.radius
-        w = weights1D(r, directions - 1) if slice1D else np.ones(len(r))
+        w = weights1D(r, directions - 1) if case.mesh.dim == 1 else \
+            np.ones(len(r))
         errors.append(l1(rho[near] - blast.sample(r[near])[0], w[near]))
         offs.append(abs(frontRadius(r, rho, blast) / blast.radius - 1))
         seconds.append(case.seconds)
@@ -85,7 +85,13 @@ def test_sedovOnSlices(tmp_path, table, directions):
     """The same along one radius, of a cylinder and of a sphere."""
     name = {2: "cylinder", 3: "sphere"}[directions]
     check(tmp_path, table, directions, NUMBERS[1], f"Sedov, {name}, 1D",
-          "100 200 400 lines", slice1D=True)
+          "100 200 400 lines", meshOf=slices)
+
+
+def test_sedovRoundAnAxis(tmp_path, table):
+    """A sphere in the plane of its axis and a radius."""
+    check(tmp_path, table, 3, NUMBERS[2], "Sedov, sphere, axisymmetric",
+          "32 64 128 ^2 quadrilaterals", meshOf=quarter)
 
 
 # Roundness. A shock is some elements wide, so the front's place along a ray is

@@ -1,10 +1,11 @@
 r"""Runs the gas benchmarks and writes their results into doc/verification.md.
 
-    "$(etc/python numpy pytest)" tests/verification/gasBenchmarks/writeTable.py \
+    "$(etc/python numpy pytest)" \
+        tests/verification/gasBenchmarks/writeTable.py \
         [-long] [<pytest options, such as -k sod>]
 
-The rows of the tests that ran replace all those between the two marks of the page;
-tests that fail have a row too. The exit code is pytest's.
+The rows of the tests that ran replace all those between the two marks of the
+page; tests that fail have a row too. The exit code is pytest's.
 """
 import json
 import os
