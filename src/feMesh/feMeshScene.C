@@ -283,3 +283,21 @@ Foam::scalar Foam::feMesh::simplexVolume(const label s) const
     }
     return depth_*mean*simplexMeasure(s);
 }
+
+
+Foam::vector Foam::feMesh::radialDirection(const point& x) const
+{
+    vector r(x);
+    if (curvature_ == 1)
+    {
+        r[3 - radialComponent_ - acrossComponent_] = 0;
+    }
+    const scalar distance = mag(r);
+    if (distance > axisTolerance_)
+    {
+        return r/distance;
+    }
+    vector middle(Zero);
+    middle[radialComponent_] = 1;
+    return middle;
+}

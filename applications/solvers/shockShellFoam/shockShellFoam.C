@@ -29,7 +29,6 @@ int main(int argc, char *argv[])
         "Compressible gas (Taylor-Galerkin finite elements on moving"
         " simplices) and nonlinear positional shells, coupled"
     );
-    argList::noParallel();
 
     #include "setRootCase.H"
     #include "createTime.H"

@@ -206,7 +206,10 @@ void Foam::gasBoundary<dim>::readOuterStates()
             (
                 eos_,
                 eos_.density(p[pointi], T[pointi]),
-                mesh.components<dim>(U[pointi]),
+                mesh.components<dim>
+                (
+                    U[pointi], mesh.poly().points()[points[pointi]]
+                ),
                 p[pointi]
             );
         }
@@ -287,18 +290,19 @@ void Foam::gasBoundary<dim>::evaluatePrescribed()
             forAll(points, i)
             {
                 const label node = mesh.nodeOfPoint()[points[i]];
-                set(values_[placeOfNode_[node]], values[i]);
+                set(values_[placeOfNode_[node]], values[i], points[i]);
             }
         }
     };
-    take(p_, fixedP_, [](prescription& v, scalar p) { v.p = p; });
-    take(T_, fixedT_, [](prescription& v, scalar T) { v.T = T; });
+    take(p_, fixedP_, [](prescription& v, scalar p, label) { v.p = p; });
+    take(T_, fixedT_, [](prescription& v, scalar T, label) { v.T = T; });
     take
     (
         U_, fixedU_,
-        [&](prescription& v, const vector& U)
+        [&](prescription& v, const vector& U, const label pointi)
         {
-            const Vec components = mesh.components<dim>(U);
+            const Vec components =
+                mesh.components<dim>(U, mesh.poly().points()[pointi]);
             std::copy_n(components.data(), dim, v.U);
         }
     );

@@ -41,6 +41,16 @@ Foam::wallConstraints<dim>::wallConstraints
         }
     }
 
+    // No radial velocity on the axis
+    for (label a = 0; a < geometry.nNodes(); ++a)
+    {
+        if (onAxis(a) && indexOf.insert(a, nodes.size()))
+        {
+            nodes.append(a);
+            facets.append(DynamicList<labelPair>());
+        }
+    }
+
     // A processor may hold a wall's node without a facet of the wall
     const sharedItems& exchange = geometry.mesh().exchange();
     std::vector<double> isWall(geometry.nNodes(), 0.0);
@@ -267,10 +277,12 @@ Foam::wallConstraints<dim>::constraintsOf
     result.nNormals = 0;
 
     // Orthonormal basis of what is constrained
-    for
-    (
-        Vec n : constrainedNormals(smoothPieces(facets))
-    )
+    std::vector<Vec> normals(constrainedNormals(smoothPieces(facets)));
+    if (onAxis(node))
+    {
+        normals.insert(normals.begin(), Vec::Unit(geometry_.radial()));
+    }
+    for (Vec n : normals)
     {
         for (int k = 0; k < result.nNormals; ++k)
         {

@@ -111,6 +111,7 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
     checkKeywords(feSchemes_, {"timeScheme", "shockCapturing"});
     readState();
 
+    mesh_.report(Info);
     Info<< "Gas: "
         << returnReduce(mesh_.exchange().nOwned(), sumOp<label>())
         << " nodes, "
@@ -136,7 +137,7 @@ void Foam::gasSolver<dim>::readState()
         (
             state_.eos,
             state_.eos.density(p_[pointi], T_[pointi]),
-            mesh_.components<dim>(U_[pointi]),
+            mesh_.components<dim>(U_[pointi], mesh_.poly().points()[pointi]),
             p_[pointi]
         );
     }

@@ -23,7 +23,10 @@ void Foam::gasSolver<dim>::updateFields()
         rho[pointi] = state_.rho(a);
         p[pointi] = state_.p(a);
         T[pointi] = eos.temperature(state_.p(a), state_.rho(a));
-        U[pointi] = mesh_.fullVector<dim>(state_.velocity(a));
+        U[pointi] = mesh_.fullVector<dim>
+        (
+            state_.velocity(a), mesh_.poly().points()[pointi]
+        );
     }
 }
 
