@@ -117,7 +117,7 @@ bool Foam::fluidShellCoupling::adjustTimeStep() const
 Foam::scalar Foam::fluidShellCoupling::maxCo() const
 {
     const scalar value =
-        time_.controlDict().getOrDefault<scalar>("maxCo", 0.5);
+        time_.controlDict().getOrDefault<scalar>("maxCo", 0.8);
     if (value <= 0 || value > 1)
     {
         FatalIOErrorInFunction(time_.controlDict())

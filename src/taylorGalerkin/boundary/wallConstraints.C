@@ -17,7 +17,8 @@ Foam::wallConstraints<dim>::wallConstraints
 )
 :
     geometry_(geometry),
-    walls_(walls)
+    walls_(walls),
+    hasNormals_(false)
 {
     Map<label> indexOf;
     DynamicList<label> nodes;
@@ -87,12 +88,16 @@ Foam::wallConstraints<dim>::wallConstraints
 
 template<int dim>
 std::vector<std::vector<typename Foam::wallConstraints<dim>::nodeFacet>>
-Foam::wallConstraints<dim>::facets() const
+Foam::wallConstraints<dim>::facets(const std::vector<bool>& wanted) const
 {
     const feMesh& mesh = geometry_.mesh();
     std::vector<std::vector<nodeFacet>> result(nodes_.size());
     forAll(nodes_, n)
     {
+        if (!wanted[n])
+        {
+            continue;
+        }
         for (const labelPair& wf : facetsOfNode_[n])
         {
             const fePatch& patch = *walls_[wf.first()];
@@ -300,11 +305,39 @@ Foam::wallConstraints<dim>::constraintsOf
 template<int dim>
 void Foam::wallConstraints<dim>::update()
 {
-    const std::vector<std::vector<nodeFacet>> around(facets());
+    // Walls that stay keep their normals. Of shared nodes the facets of other
+    // processors may have moved.
+    std::vector<bool> wanted(nodes_.size(), !hasNormals_);
+    for (const label n : sharedNodes_)
+    {
+        wanted[n] = true;
+    }
+    if (hasNormals_)
+    {
+        forAll(nodes_, n)
+        {
+            for (const labelPair& wf : facetsOfNode_[n])
+            {
+                const label* nodes =
+                    &walls_[wf.first()]->facets[dim*wf.second()];
+                for (int b = 0; b < dim; ++b)
+                {
+                    wanted[n] =
+                        wanted[n] || geometry_.w(nodes[b]).squaredNorm() > 0;
+                }
+            }
+        }
+    }
+
+    const std::vector<std::vector<nodeFacet>> around(facets(wanted));
     forAll(nodes_, i)
     {
-        constraints_[i] = constraintsOf(nodes_[i], around[i]);
+        if (wanted[i])
+        {
+            constraints_[i] = constraintsOf(nodes_[i], around[i]);
+        }
     }
+    hasNormals_ = true;
 }
 
 

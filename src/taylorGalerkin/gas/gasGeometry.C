@@ -120,7 +120,9 @@ void Foam::gasGeometry<dim>::sumSimplices
     const int k = curvature();
     const int radial = this->radial();
     const double depth = mesh_.depth();
-    const int nTimes = atRest ? 1 : 2;
+    // A planar simplex is averaged in closed form
+    const bool atGaussPoints = k && !atRest;
+    const int nTimes = atGaussPoints ? 2 : 1;
 
     edgeSums_.assign(mesh_.nEdges(), uniformRow(0));
     std::fill_n(volumeAtEnd.begin(), nNodes(), 0.0);
@@ -155,14 +157,17 @@ void Foam::gasGeometry<dim>::sumSimplices
 
         for (int t = 0; t < nTimes; ++t)
         {
-            const double c = atRest ? 1 : gaussPoints[t];
+            const double c =
+                atRest ? 1 : atGaussPoints ? gaussPoints[t] : 0.5;
             for (int a = 0; a <= dim; ++a)
             {
                 x[a] = (1 - c)*x0[a] + c*x1[a];
             }
             const simplexTerms<dim> now
             (
-                atRest ? end : simplexTerms<dim>(x, k, radial)
+                atRest ? end
+              : atGaussPoints ? simplexTerms<dim>(x, k, radial)
+              : simplexTerms<dim>(x0, x1)
             );
             const double weight = depth/nTimes;
 
@@ -198,7 +203,7 @@ void Foam::gasGeometry<dim>::sumSimplices
                     sums[stiffnessAt] -=
                         weight*now.B.col(a).dot(now.B.col(b))*now.volume
                        /(now.plainVolume*now.plainVolume);
-                    sums[lengthAt] += (x[a] - x[b]).norm();
+                    sums[lengthAt] += (x[a] - x[b]).squaredNorm();
                     sums[countAt] += 1;
                     if (!atRest)
                     {
@@ -258,7 +263,7 @@ void Foam::gasGeometry<dim>::setEdges()
         mass_[i] = sums[massAt];
         stiffness_[i] = sums[stiffnessAt];
         sweep_[i] = sums[sweepAt];
-        const double length = sums[lengthAt]/sums[countAt];
+        const double length = std::sqrt(sums[lengthAt]/sums[countAt]);
         inverseLengthArea_[i] =
             magArea_[i] > 1e-12*mass_[i]/length ? 1/(length*magArea_[i]) : 0;
     }

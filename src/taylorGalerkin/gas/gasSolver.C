@@ -105,8 +105,8 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
     ),
     rates_(geometry_),
     stable_(),
-    stateTime_(mesh.poly().time().value()),
-    stableIsUpToDate_(false)
+    stableIsUpToDate_(false),
+    stateTime_(mesh.poly().time().value())
 {
     checkKeywords(feSchemes_, {"timeScheme", "shockCapturing"});
     readState();

@@ -1,18 +1,12 @@
 """The gas settings of all benchmarks, in one place."""
 
-# The numerical scheme: what a user gets who follows the tutorials
-CAPTURING = """
-shockCapturing  pressureLaplacian;
-pressureLaplacianCoeffs
-{
-    qDif        0.5;
-}
-"""
-NAME = "`twoStep`, lumped, `pressureLaplacian` 0.5"
+# The numerical scheme: the defaults, which a user gets who says nothing
+CAPTURING = "\nshockCapturing  fluxCorrected;\n"
+NAME = "`twoStep`, `fluxCorrected`"
 NAME_SMOOTH = "`twoStep`, lumped, `none`"
 
 # The application's default Courant number
-MAX_CO = 0.5
+MAX_CO = 0.8
 
 
 def scheme(capturing=True):
