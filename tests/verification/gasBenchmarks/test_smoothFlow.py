@@ -121,8 +121,8 @@ def test_soundOver100000Steps(tmp_path, table):
     checkSound(tmp_path, table, (100,), 500, 0.5, 2.5)
 
 
-# Gas at rest in a field of gravity, isothermal: rho = p = exp(-g x). A tube of
-# a tenth of the scale height to both sides; speeds over c after TIMES passages
+# Gas at rest in a field of gravity, isothermal: rho = p = exp(-g x), in a tube
+# as long as the scale height; largest speed over c after ten passages of sound
 GRAVITY = 1.0
 REST_ORDER = 1.8
 REST = 1e-4  # largest Mach number on the last mesh
