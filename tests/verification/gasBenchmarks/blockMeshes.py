@@ -4,7 +4,8 @@
     box([(1, 100)], (0.5, 50))              quadrilaterals
     box([(1, 100)], (0.5, 50), (0.5, 50))   hexahedra
     plane(corners, blocks, patches)         plane blocks with any corners
-    wedge(length, cells, directions=2)      a slice of a sphere, along its radius
+    wedge(radius, cells, 2)                 a slice of a sphere, along x
+    axisymmetric(length, radius, cells)     a wedge round the x axis
 
 Each direction of a box is (length, cells); x is a list of such segments, so
 that cell sizes may jump. Patches: left, right; bottom, top; back, front; and

@@ -5,6 +5,7 @@ file, one JSON object per line, for writeTable.py.
 """
 import json
 import os
+import re
 
 import numpy as np
 import pytest
@@ -38,6 +39,16 @@ class Table:
         print(self.rows[-1])
 
 
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_makereport(item, call):
+    """Keeps what the application said, for the row of a test that stops."""
+    if call.when == "call" and call.excinfo:
+        said = re.search(r"FATAL (?:IO )?ERROR:\s*(.*?)[.,;:]?\s*\n",
+                         str(call.excinfo.value))
+        item.reason = "stops" + (f": {said.group(1)}" if said else "")
+    yield
+
+
 @pytest.fixture
 def table(request):
     table = Table(request.node.name)
@@ -46,7 +57,8 @@ def table(request):
     if not file:
         return
     if not table.rows:
-        table.add(request.node.name, "", "run", "stops", "runs")
+        table.add(request.node.name, "", "run",
+                  getattr(request.node, "reason", ""), "runs")
     with open(file, "a") as stream:
         for row in table.rows:
             place = f"{request.node.path.name}::{table.test}"

@@ -68,8 +68,10 @@ class Riemann:
         outer = np.array([rho, u, p])[:, None]
         if ps > p:
             k = (g - 1) / (g + 1)
-            inner = np.array([rho * (ps / p + k) / (k * ps / p + 1), uStar, ps])
-            shock = u - c * np.sqrt((g + 1) / (2 * g) * ps / p + (g - 1) / 2 / g)
+            ratio = (ps / p + k) / (k * ps / p + 1)
+            inner = np.array([rho * ratio, uStar, ps])
+            mach = np.sqrt((g + 1) / (2 * g) * ps / p + (g - 1) / (2 * g))
+            shock = u - c * mach
             return np.where(speed < shock, outer, inner[:, None])
         inner = np.array([rho * (ps / p)**(1 / g), uStar, ps])
         tail = uStar - np.sqrt(g * ps / inner[0])

@@ -85,8 +85,8 @@ def explosion(folder, directions, cells, end, length=1.2, width=3.0,
 
 
 def integral(directions):
-    """Of the hat over all directions, per width**directions: int (1 + cos pi s)
-    A s^(j-1) ds, A = 2, 2 pi, 4 pi."""
+    """Of the hat over all directions, per width**directions:
+    int (1 + cos pi s) A s^(j-1) ds, A = 2, 2 pi, 4 pi."""
     s = (np.arange(2000) + 0.5) / 2000
     area = {1: 2, 2: 2 * np.pi, 3: 4 * np.pi}[directions]
     return area * ((1 + np.cos(np.pi * s)) * s**(directions - 1)).mean()

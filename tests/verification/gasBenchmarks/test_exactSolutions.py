@@ -14,9 +14,10 @@ def test_riemannStarStates():
         left, right = ([row[n + s] for n in ("rho", "u", "p")] for s in "LR")
         star = exact.Riemann(left, right)
         scale = np.sqrt(left[2] / left[0])
-        # "Impossibly small" velocities are limited by the printed digits
         assert star.p == pytest.approx(row["p_star"], rel=2e-7)
-        assert star.u == pytest.approx(row["u_star"], rel=2e-7, abs=1e-6 * scale)
+        # Toro's fifth problem has u* near 0, within the printed digits of uL
+        assert star.u == pytest.approx(
+            row["u_star"], rel=2e-7, abs=1e-6 * scale)
         for side, key in ((-1, "L"), (1, "R")):
             near = star.u + side * 1e-9 * scale
             rho = star.sample([near])[0, 0]

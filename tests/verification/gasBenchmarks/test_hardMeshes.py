@@ -59,9 +59,9 @@ def test_uniformFlow(tmp_path, table, kind, dim):
     assert off < UNIFORM
 
 
-# Sod's tube: elements, and L1 error of rho. On slivers and moved points that of
-# an even mesh with some room; of the tube with jumps a fifth is ten times
-# coarser. Slivers are long, so that their step is that of their width
+# Sod's tube: elements, and L1 error of rho. On slivers and moved points that
+# of an even mesh with some room; of the tube with jumps a fifth is ten times
+# coarser. On slivers the step is that of their width, so they are fewer
 LINES = {"slivers": 50, "random": 100, "jumps": 100}
 SOD = {"slivers": 0.012, "random": 0.0075, "jumps": 0.012}
 

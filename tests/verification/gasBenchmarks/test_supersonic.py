@@ -51,11 +51,13 @@ def rampErrors(folder, mach, theta, p2, m2):
 
 def checkRamp(table, name, cases, errors, p2, m2, bounds):
     bounds = bounds["pressure"], bounds["Mach"], WALL
-    for quantity, ours, exact, bound in zip((
-        "p2/p1 at the wall, error", "M2, error", "M2 at the wall, error",
-    ), errors, (p2, m2, m2), bounds):
-        table.add(name, RAMPS_MESH, quantity, ours, f"{exact:.6g}",
-                  f"last {bound}", seconds=[c.seconds for c in cases])
+    quantities = "p2/p1 at the wall", "M2", "M2 at the wall"
+    for quantity, ours, exact, bound in zip(
+        quantities, errors, (p2, m2, m2), bounds
+    ):
+        table.add(name, RAMPS_MESH, quantity + ", error", ours,
+                  f"{exact:.6g}", f"last {bound}",
+                  seconds=[c.seconds for c in cases])
     assert (abs(errors[:, -1]) < bounds).all()
 
 
@@ -84,11 +86,11 @@ def test_expansionFan(tmp_path, table, mach, degrees):
 # Forward step. Stagnation pressure in the corner in front of the step; total
 # enthalpy ahead of the step, where the flow is steady by then, and how far the
 # bow shock on the floor moves with the last refinement
-STEP = {"pressure": 0.03, "enthalpy": 0.02, "shock": 0.04}
+STEP = {"pressure": 0.03, "enthalpy": 0.015, "shock": 0.04}
 
 
 @pytest.mark.parametrize("numbers", [
-    (20, 40), pytest.param((40, 80, 160), marks=pytest.mark.long),
+    (20, 40), pytest.param((40, 80, 120), marks=pytest.mark.long),
 ], ids=["coarse", "fine"])
 def test_forwardStep(tmp_path, table, numbers):
     stagnation = pitotPressure(STEP_MACH)
@@ -106,14 +108,14 @@ def test_forwardStep(tmp_path, table, numbers):
         shocks.append(crossing(x[floor], p[floor], 5))
         h = 3.5 * p / rho + 0.5 * (U**2).sum(axis=1)
         face = abs(x - 0.6) + y < 0.15
-        enthalpy = abs(h[face] / total - 1).max()
+        enthalpy = abs(h[face] / total - 1).mean()
         seconds.append(case.seconds)
     mesh = " ".join(map(str, numbers)) + " over the height"
     table.add("forward step, Mach 3", mesh, "p in front of the step",
               pressures, f"{stagnation:.5g} (Rayleigh)",
               f"{100 * STEP['pressure']:g} %", seconds=seconds)
     table.add("forward step, Mach 3", "last",
-              "error of total enthalpy before the step", enthalpy,
+              "mean error of total enthalpy before the step", enthalpy,
               f"{total:g}", STEP["enthalpy"])
     table.add("forward step, Mach 3", mesh, "place of the bow shock",
               shocks, "converges", f"moves {STEP['shock']}")

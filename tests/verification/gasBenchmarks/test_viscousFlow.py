@@ -64,8 +64,8 @@ def test_couette(tmp_path, table):
     assert orders(heats, numbers)[-1] > ORDER or max(heats) < 1e-5
 
 
-# Poiseuille flow, driven by a body force G: u = rho G y (1 - y)/(2 mu). Slow, so
-# that density and temperature stay within 1e-3 of 1
+# Poiseuille flow, driven by a body force G: u = rho G y (1 - y)/(2 mu). Slow,
+# so that density and temperature stay within 1e-3 of 1
 FORCE = 0.02
 POISEUILLE_MU = 0.05
 
@@ -134,8 +134,8 @@ FRICTION = 0.05
 
 
 def plateMesh(n):
-    """A slip wall of 0.4 ahead of the plate of length 1; the height of the
-    elements at the wall is 1/40 of the layer's thickness at the end."""
+    """A slip wall of 0.4 ahead of the plate of length 1; n elements across
+    twice the layer's thickness at the end."""
     delta = 5 / math.sqrt(PLATE_RE)
     corners = [(x, y) for y in (0, 2 * delta, 0.6) for x in (-0.4, 0, 1)]
     blocks = [((0, 1, 4, 3), (n // 2, n)), ((1, 2, 5, 4), (n, n)),
