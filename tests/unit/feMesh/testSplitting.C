@@ -23,8 +23,8 @@ namespace
 
 scalar volume(const feMesh& mesh, const label s)
 {
-    const label* n = &mesh.simplices()[4*s];
-    const pointField& x = mesh.nodes();
+    const label* n = &mesh.simplexCorners()[4*s];
+    const pointField& x = mesh.corners();
     return
         ((x[n[1]] - x[n[0]]) & ((x[n[2]] - x[n[0]]) ^ (x[n[3]] - x[n[0]])))/6;
 }
@@ -205,9 +205,16 @@ namespace
 
 //- A box of which the cells are refined that select chooses
 template<class Select>
-autoPtr<polyMesh> refinedBox(const Time& time, const Select& select)
+autoPtr<polyMesh> refinedBox
+(
+    const Time& time,
+    const Select& select,
+    const word& sides = "patch"
+)
 {
-    autoPtr<polyMesh> poly = boxMesh::space(3, 3, 3).make(time);
+    boxMesh box(boxMesh::space(3, 3, 3));
+    box.types[0] = box.types[1] = sides;
+    autoPtr<polyMesh> poly = box.make(time);
     DynamicList<label> chosen;
     for (label celli = 0; celli < poly->nCells(); ++celli)
     {
@@ -247,6 +254,30 @@ TEST(SplittingRefined, besideAPlane)
             }
         );
         EXPECT_GT(poly->nCells(), 27);
+        expectGoodSplit(feMesh(poly()));
+    }
+}
+
+
+// The faces on the two sides of a cyclic are split in the same way, also where
+// they have five and more points
+TEST(SplittingRefined, throughACyclic)
+{
+    testFolder folder;
+    autoPtr<Time> time = folder.clock();
+    for (unsigned seed = 1; seed < 15; ++seed)
+    {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        autoPtr<polyMesh> poly = refinedBox
+        (
+            time(),
+            [&](const point& x)
+            {
+                return mag(x.y() - 0.5) < 0.2 && random() % 3 == 0;
+            },
+            "cyclic"
+        );
         expectGoodSplit(feMesh(poly()));
     }
 }

@@ -19,6 +19,8 @@ struct decomposedScene
 {
     const char* name;
     std::string blockMeshDict;
+
+    //- Parts in x, y and z, or scotch
     const char* division;
     int nProcs;
 };
@@ -60,9 +62,12 @@ protected:
         blocks.folder.writeDict
         (
             "system/decomposeParDict",
-            "numberOfSubdomains " + std::to_string(scene.nProcs)
-            + "; method hierarchical; coeffs { n (" + scene.division
-            + "); order xyz; }"
+            "numberOfSubdomains " + std::to_string(scene.nProcs) + "; method "
+          + (
+                std::string(scene.division) == "scotch" ? "scotch;"
+              : "hierarchical; coeffs { order xyz; n ("
+              + std::string(scene.division) + "); }"
+            )
         );
         const std::string self =
             std::string(std::getenv("SHOCKSHELL_APPBIN"))
@@ -202,6 +207,10 @@ INSTANTIATE_TEST_SUITE_P
             "2 1 1", 2),
         scene("periodicThree", boxDict("5 4 4", {"cyclic", "cyclic", "cyclic"}),
             "4 1 1", 4),
+        scene("scotch", boxDict("6 5 4", {"patch", "patch", "patch"}),
+            "scotch", 4),
+        scene("periodicScotch", boxDict("6 5 4", {"cyclic", "patch", "cyclic"}),
+            "scotch", 3),
         scene("wedge", wedgeDict("8 4 1", 0.1), "2 2 1", 4),
         scene("periodicWedge", wedgeDict("8 4 1", 0.1, 0, "cyclic"),
             "2 2 1", 4),
