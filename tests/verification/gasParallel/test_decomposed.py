@@ -1,0 +1,101 @@
+"""Decomposed runs against the serial one.
+
+A blast in a box with a cyclic pair, walls and far fields, cells cut by several
+processors; 200 steps. The fields of the reconstructed case agree to rounding,
+whatever the number of processors and the way of cutting.
+"""
+import shutil
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "gasBenchmarks"))
+
+from benchmarkCase import BenchmarkCase  # noqa: E402
+from blockMeshes import HEADER, box  # noqa: E402
+
+STEPS, DELTA_T = 200, 2e-3
+END = STEPS * DELTA_T
+
+# Relative to the largest value
+TOLERANCE = 1e-10
+
+SIDES = {
+    "left": "far", "right": "far", "bottom": "wall", "top": "wall",
+}
+# The mesh follows the right end, which oscillates
+MOVING = {
+    "right": "type oscillatingDisplacement; amplitude (0.1 0 0); omega 9;"
+             " value uniform (0 0 0);",
+    "bottom": "type slip;", "top": "type slip;", "back": "type slip;",
+    "front": "type slip;",
+}
+
+
+def blast(x):
+    bump = np.exp(-((x - [0.3, 0.4, 0.5])**2).sum(axis=1) / 0.02)
+    U = np.outer(np.ones(len(x)), [0.3, 0.1, 0.0])
+    return 1 + 2 * bump, U, 1 + 5 * bump
+
+
+def makeCase(folder, moving):
+    mesh = box([(1, 12)], (1, 10), (1, 8))
+    if not moving:
+        mesh.cyclic("back", "front")
+    case = BenchmarkCase(folder, mesh)
+    case.start(blast, dict(SIDES, **({"back": "wall", "front": "wall"}
+                                     if moving else {})))
+    if moving:
+        case.move("pointDisplacement", MOVING)
+    case.write("system/controlDict", f"""
+application shockShellFoam; libs ("libtaylorGalerkin.so");
+startFrom startTime; startTime 0; stopAt endTime; endTime {END};
+deltaT {DELTA_T}; writeControl timeStep; writeInterval {STEPS};
+writeFormat ascii; writePrecision 17; timeFormat general; timePrecision 8;
+runTimeModifiable no;
+""")
+    return case
+
+
+def decompose(case, parts, method):
+    counts = {2: "(2 1 1)", 4: "(2 2 1)", 8: "(2 2 2)"}[parts]
+    case.write("system/decomposeParDict", f"""
+numberOfSubdomains {parts}; method {method};
+simpleCoeffs {{ n {counts}; delta 0.001; }}
+""")
+    case.run("decomposePar", "-force")
+    case.run("mpirun", "--allow-run-as-root", "--oversubscribe",
+             "-np", str(parts), "shockShellFoam", "-parallel")
+    case.run("reconstructPar", "-latestTime")
+
+
+def fields(case):
+    return {name: case.result(name) for name in "pUT"}
+
+
+@pytest.fixture(scope="module", params=["cyclic", "moving"])
+def serial(request, tmp_path_factory):
+    folder = tmp_path_factory.mktemp(request.param)
+    moving = request.param == "moving"
+    case = makeCase(folder / "serial", moving)
+    case.run("shockShellFoam")
+    return folder, moving, fields(case)
+
+
+@pytest.mark.parametrize("parts, method", [
+    (2, "scotch"), (4, "simple"), (8, "scotch"),
+])
+def test_sameAnswer(serial, parts, method):
+    folder, moving, reference = serial
+    case = makeCase(folder / f"{method}{parts}", moving)
+    decompose(case, parts, method)
+    for name, values in fields(case).items():
+        expected = reference[name]
+        error = np.abs(values - expected).max() / np.abs(expected).max()
+        print(name, error)
+        assert error <= TOLERANCE
+    # The blast has gone through the box
+    assert np.ptp(reference["p"]) > 0.3
+    shutil.rmtree(case.path)
