@@ -132,8 +132,9 @@ void Foam::polyhedronSplitter::setSurface(const UList<triangle>& surface)
     points_.clear();
     for (triangle& t : surface_)
     {
-        const label first =
-            std::min_element(t.begin(), t.end(), std::cref(before_)) - t.begin();
+        const auto smallest =
+            std::min_element(t.begin(), t.end(), std::cref(before_));
+        const label first = smallest - t.begin();
         std::rotate(t.begin(), t.begin() + first, t.end());
         for (const label pointi : t)
         {
