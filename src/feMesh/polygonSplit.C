@@ -6,6 +6,7 @@
 #include "SquareMatrix.H"
 
 #include <algorithm>
+#include <functional>
 
 namespace
 {
@@ -23,7 +24,7 @@ labelList fromFirst(const labelUList& outline, const splitOrder& before)
     std::rotate
     (
         points.begin(),
-        std::min_element(points.begin(), points.end(), before),
+        std::min_element(points.begin(), points.end(), std::cref(before)),
         points.end()
     );
     return points;

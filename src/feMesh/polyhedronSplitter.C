@@ -5,6 +5,7 @@
 #include "polyhedronSplitter.H"
 
 #include <algorithm>
+#include <functional>
 
 namespace
 {
@@ -131,8 +132,9 @@ void Foam::polyhedronSplitter::setSurface(const UList<triangle>& surface)
     points_.clear();
     for (triangle& t : surface_)
     {
-        const label first =
-            std::min_element(t.begin(), t.end(), before_) - t.begin();
+        const auto smallest =
+            std::min_element(t.begin(), t.end(), std::cref(before_));
+        const label first = smallest - t.begin();
         std::rotate(t.begin(), t.begin() + first, t.end());
         for (const label pointi : t)
         {
@@ -142,7 +144,7 @@ void Foam::polyhedronSplitter::setSurface(const UList<triangle>& surface)
             }
         }
     }
-    std::sort(points_.begin(), points_.end(), before_);
+    std::sort(points_.begin(), points_.end(), std::cref(before_));
 
     // A decomposition may order a cell's faces in another way; the split must
     // not depend on it, to the last bit of its decisions
@@ -153,7 +155,8 @@ void Foam::polyhedronSplitter::setSurface(const UList<triangle>& surface)
         {
             return std::lexicographical_compare
             (
-                a.begin(), a.end(), b.begin(), b.end(), before_
+                a.begin(), a.end(), b.begin(), b.end(),
+                std::cref(before_)
             );
         }
     );
