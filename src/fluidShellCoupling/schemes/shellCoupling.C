@@ -25,6 +25,13 @@ Foam::shellCoupling::shellCoupling
     nodes_(gas.mesh(), dict),
     balance_(time)
 {
+    if (Pstream::parRun())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Coupled runs use one processor in this version; the gas alone "
+            << "runs in parallel" << nl
+            << "    Run without -parallel" << exit(FatalIOError);
+    }
     if (subCycles_ < 1)
     {
         FatalIOErrorInFunction(dict)

@@ -40,12 +40,13 @@ bool Foam::functionObjects::pointProbes::read(const dictionary& dict)
     dict.readEntry("fields", fields_);
     simplices_.setSize(places_.size(), -1);
     weights_.setSize(places_.size());
+    holder_.setSize(places_.size(), -1);
 
     const feMesh& mesh = feMesh::New(mesh_);
     locate(mesh);
     forAll(places_, i)
     {
-        if (simplices_[i] < 0)
+        if (holder_[i] < 0)
         {
             FatalIOErrorInFunction(dict)
                 << "The place " << places_[i] << " of " << name()
@@ -64,14 +65,20 @@ void Foam::functionObjects::pointProbes::locate(const feMesh& mesh)
     forAll(places_, i)
     {
         // Most often the place is where it was
-        if
-        (
-            simplices_[i] < 0
-         || !mesh.inSimplex(simplices_[i], places_[i], weights_[i])
-        )
+        bool isThere =
+            holder_[i] == Pstream::myProcNo()
+         && mesh.inSimplex(simplices_[i], places_[i], weights_[i]);
+        reduce(isThere, orOp<bool>());
+        if (isThere)
         {
-            simplices_[i] = mesh.findSimplex(places_[i], weights_[i]);
+            continue;
         }
+        simplices_[i] = mesh.findSimplex(places_[i], weights_[i]);
+
+        // Of several processors at whose boundary it lies the lowest
+        label holder = simplices_[i] >= 0 ? Pstream::myProcNo() : labelMax;
+        reduce(holder, minOp<label>());
+        holder_[i] = holder == labelMax ? -1 : holder;
     }
 }
 
@@ -82,6 +89,10 @@ void Foam::functionObjects::pointProbes::openFiles()
     (
         time_.globalPath()/"postProcessing"/name()/time_.timeName()
     );
+    if (!Pstream::master())
+    {
+        return;
+    }
     mkDir(folder);
 
     files_.setSize(fields_.size());
@@ -120,27 +131,35 @@ bool Foam::functionObjects::pointProbes::writeRow
     }
 
     const label stride = mesh.dim() + 1;
+    List<Type> values(places_.size(), Zero);
+    forAll(places_, i)
+    {
+        for (label a = 0; holder_[i] == Pstream::myProcNo() && a < stride; ++a)
+        {
+            const label node = mesh.simplices()[stride*simplices_[i] + a];
+            values[i] += weights_[i][a]*(*field)[mesh.pointOfNode()[node]];
+        }
+        reduce(values[i], sumOp<Type>());
+    }
+    if (!Pstream::master())
+    {
+        return true;
+    }
+
     OFstream& os = files_[fieldi];
     os  << time_.value();
     forAll(places_, i)
     {
-        if (simplices_[i] < 0)
+        for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
         {
-            for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
+            if (holder_[i] < 0)
             {
                 os  << " nan";
             }
-            continue;
-        }
-        Type value(Zero);
-        for (label a = 0; a < stride; ++a)
-        {
-            const label node = mesh.simplices()[stride*simplices_[i] + a];
-            value += weights_[i][a]*(*field)[mesh.pointOfNode()[node]];
-        }
-        for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
-        {
-            os  << ' ' << component(value, d);
+            else
+            {
+                os  << ' ' << component(values[i], d);
+            }
         }
     }
     os  << endl;

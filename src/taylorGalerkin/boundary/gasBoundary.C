@@ -350,20 +350,14 @@ void Foam::gasBoundary<dim>::impose(gasRows& states)
         evaluatePrescribed();
         setPrescribed(states);
     }
-    wallConstraints_.apply
-    (
-        [&](label a) { return Eigen::Map<State>(states[a].v); }
-    );
+    constrainAtWalls(states);
 }
 
 
 template<int dim>
 void Foam::gasBoundary<dim>::constrainRates(gasRows& rates) const
 {
-    wallConstraints_.apply
-    (
-        [&](label a) { return Eigen::Map<State>(rates[a].v); }
-    );
+    constrainAtWalls(rates);
     forAll(prescribed_, i)
     {
         const prescription& v = values_[i];

@@ -191,6 +191,10 @@ void Foam::gasBoundary<dim>::halfStepFluxes
     gasRows& sum
 ) const
 {
+    if (state.hasGravity)
+    {
+        std::fill(sum.begin(), sum.end(), uniformRow(0));
+    }
     for (const label node : boundaryNodes_)
     {
         sum[node] = uniformRow(0);
@@ -215,11 +219,18 @@ void Foam::gasBoundary<dim>::halfStepFluxes
     (
         data(sum), gasKernel::rowSize, gasKernel::place<dim>::nConserved
     );
+    if (state.hasGravity)
+    {
+        for (label a = 0; a < state.nNodes(); ++a)
+        {
+            addWeight(state, rate[a], 0.5*dt*dt*meanVolume(a), sum[a]);
+        }
+    }
 }
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::addHoop
+void Foam::gasBoundary<dim>::addSources
 (
     const gasState<dim>& state,
     const double dt,
@@ -227,17 +238,26 @@ void Foam::gasBoundary<dim>::addHoop
 ) const
 {
     const double* hoop = geometry_.hoop();
-    if (!hoop)
+    const sharedItems& exchange = geometry_.mesh().exchange();
+    for
+    (
+        label a = 0;
+        (hoop || state.hasGravity) && a < state.nNodes();
+        ++a
+    )
     {
-        return;
-    }
-    const feMesh& mesh = geometry_.mesh();
-    for (label a = 0; a < mesh.nNodes(); ++a)
-    {
-        if (mesh.exchange().owned(a))
+        if (!exchange.owned(a))
+        {
+            continue;
+        }
+        if (hoop)
         {
             sum[a][1 + geometry_.radial()] +=
                 dt*hoop[a]*(state.p(a) - state.pRef);
+        }
+        if (state.hasGravity)
+        {
+            addWeight(state, state.rows[a], dt*meanVolume(a), sum[a]);
         }
     }
 }

@@ -6,6 +6,7 @@
 #include "gasProperties.H"
 #include "dictionaryCheck.H"
 #include "OStringStream.H"
+#include "uniformDimensionedFields.H"
 #include "PstreamReduceOps.H"
 #include "Time.H"
 
@@ -109,6 +110,7 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
     stateTime_(mesh.poly().time().value())
 {
     checkKeywords(feSchemes_, {"timeScheme", "shockCapturing"});
+    readGravity();
     readState();
 
     mesh_.report(Info);
@@ -124,6 +126,36 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
         << feSchemes_.getOrDefault<word>("shockCapturing", "fluxCorrected")
         << nl << "    " << gasKernel::gasKernels<dim>::best().name
         << " instructions" << nl << endl;
+}
+
+
+template<int dim>
+void Foam::gasSolver<dim>::readGravity()
+{
+    const polyMesh& mesh = mesh_.poly();
+    IOobject io
+    (
+        "g", mesh.time().constant(), mesh,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (!io.typeHeaderOk<uniformDimensionedVectorField>(true))
+    {
+        return;
+    }
+    const uniformDimensionedVectorField g(io);
+    const Vec components = mesh_.components<dim>(g.value());
+    if (mag(g.value() - mesh_.fullVector<dim>(components)) > SMALL
+     || (mesh_.curvature() && components[mesh_.radial()] != 0))
+    {
+        FatalErrorInFunction
+            << "Gravity " << g.value() << " of " << io.objectPath()
+            << " has a component in a direction that the scene has not,"
+            << nl << "    or along its radius. The scene has " << dim
+            << " direction(s)" << exit(FatalError);
+    }
+    state_.hasGravity = true;
+    state_.gravity = components;
+    Info<< "Gravity: " << g.value() << " m/s2" << nl << endl;
 }
 
 
@@ -323,7 +355,13 @@ void Foam::gasSolver<dim>::advance
     // Viscosity and stable step belong to the mesh of the step's start
     stable();
     rates_.clear();
+    oldRows_ = state_.rows;
     geometry_.begin(dt, newNodes);
+
+    // The walls' velocity has changed with the new step
+    boundary_.constrainAtWalls(state_.rows);
+    const label bad = state_.derive();
+    stopIfBad(bad, "the wall's velocity leaves no physical state", dt);
     step(dt);
     boundary_.updateNormals();
 }

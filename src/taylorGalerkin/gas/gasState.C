@@ -14,7 +14,9 @@ Foam::gasState<dim>::gasState
     nNodes_(geometry.nNodes()),
     eos(gas),
     rows(geometry.nRows(), uniformRow(0)),
-    pRef(0)
+    pRef(0),
+    hasGravity(false),
+    gravity(Vec::Zero())
 {
     for (gasRow& row : rows)
     {

@@ -16,28 +16,35 @@ namespace avx512 { template<int dim> gasKernels<dim> kernelSet(const char*); }
 
 
 template<int dim>
+std::vector<gasKernels<dim>> gasKernels<dim>::available()
+{
+    std::vector<gasKernels<dim>> sets{baseline::kernelSet<dim>("baseline")};
+
+    #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    {
+        sets.push_back(avx2::kernelSet<dim>("AVX2"));
+    }
+    if
+    (
+        __builtin_cpu_supports("avx512f")
+     && __builtin_cpu_supports("avx512dq")
+     && __builtin_cpu_supports("avx512vl")
+    )
+    {
+        sets.push_back(avx512::kernelSet<dim>("AVX-512"));
+    }
+    #endif
+
+    return sets;
+}
+
+
+template<int dim>
 const gasKernels<dim>& gasKernels<dim>::best()
 {
-    static const gasKernels<dim> set = []
-    {
-        #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-        if
-        (
-            __builtin_cpu_supports("avx512f")
-         && __builtin_cpu_supports("avx512dq")
-         && __builtin_cpu_supports("avx512vl")
-        )
-        {
-            return avx512::kernelSet<dim>("AVX-512");
-        }
-        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        {
-            return avx2::kernelSet<dim>("AVX2");
-        }
-        #endif
-        return baseline::kernelSet<dim>("baseline");
-    }();
-    return set;
+    static const gasKernels<dim> widest = available().back();
+    return widest;
 }
 
 

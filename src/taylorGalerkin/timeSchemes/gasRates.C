@@ -74,7 +74,7 @@ void Foam::gasRates<dim>::compute
 
     sumEdges(geometry, state);
     boundary.addFluxes(state, 1, rate);
-    boundary.addHoop(state, 1, rate);
+    boundary.addSources(state, 1, rate);
     const sharedItems& exchange = geometry.mesh().exchange();
     exchange.sum(data(rate), rowSize, n);
     exchange.sum(data(difference), rowSize, n);
@@ -85,6 +85,9 @@ void Foam::gasRates<dim>::compute
         data(state.rows), speed.data(), data(rate), data(difference)
     );
     boundary.constrainRates(rate);
+
+    // As if the gas went on behind a wall, mirrored
+    boundary.constrainAtWalls(difference);
     hasSums_ = false;
 }
 

@@ -229,7 +229,7 @@ void Foam::threeStep<dim>::step
     rates.compute(geometry, boundary, state, dt);
     std::fill(residual_.begin(), residual_.end(), uniformRow(0));
     boundary.addFluxes(state, dt, residual_);
-    boundary.addHoop(state, dt, residual_);
+    boundary.addSources(state, dt, residual_);
 
     // Momentum, with the walls' normal velocity, so that the density step
     // sees no flux through them

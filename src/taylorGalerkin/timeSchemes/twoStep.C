@@ -85,7 +85,7 @@ void Foam::twoStep<dim>::viscousStep
           : unphysicalEdge{-1, -1};
     }
     boundary.addFluxes(state, dt, residual_);
-    boundary.addHoop(state, dt, residual_);
+    boundary.addSources(state, dt, residual_);
     exchange.sum(data(residual_), rowSize, n);
 
     // What the state gains, with the boundary's half-step fluxes

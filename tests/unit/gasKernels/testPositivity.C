@@ -1,0 +1,120 @@
+/*---------------------------------------------------------------------------*\
+  shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+// The low order is positive up to Courant number 1 for any states, and the
+// limiter keeps density within its bounds and every total: doc/theory/gas.md,
+// section 5.3
+
+#include "kernelScene.H"
+
+#include <gtest/gtest.h>
+
+using namespace kernelTest;
+
+template<class Dim>
+class Positivity
+:
+    public testing::Test
+{};
+
+using dims = testing::Types
+<
+    std::integral_constant<int, 1>,
+    std::integral_constant<int, 2>,
+    std::integral_constant<int, 3>
+>;
+TYPED_TEST_SUITE(Positivity, dims);
+
+
+TYPED_TEST(Positivity, lowOrderUpToCourantNumberOne)
+{
+    constexpr int dim = TypeParam::value;
+    const auto& kernels = gasKernel::gasKernels<dim>::best();
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+        for (const double mach : {0.1, 2.0, 30.0})
+        {
+            const scene<dim> s(100, mach, 4, seed);
+            EXPECT_EQ(step(s, kernels, 0.999).unphysicalLow, -1)
+                << "seed " << seed << ", Mach " << mach;
+        }
+    }
+}
+
+
+// The bound is not idle: far beyond it states do become unphysical
+TYPED_TEST(Positivity, notFarBeyond)
+{
+    constexpr int dim = TypeParam::value;
+    const auto& kernels = gasKernel::gasKernels<dim>::best();
+    int unphysical = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+        unphysical +=
+            step(scene<dim>(100, 2, 4, seed), kernels, 3).unphysicalLow >= 0;
+    }
+    EXPECT_GT(unphysical, 10);
+}
+
+
+TYPED_TEST(Positivity, limitedDensityStaysWithinItsBounds)
+{
+    constexpr int dim = TypeParam::value;
+    const auto& kernels = gasKernel::gasKernels<dim>::best();
+    for (unsigned seed = 1; seed <= 10; ++seed)
+    {
+        const scene<dim> s(100, 1, 1, seed);
+        const stepResult r = step(s, kernels, 0.8);
+        std::vector<double> low(s.nNodes), high(s.nNodes);
+        for (int a = 0; a < s.nNodes; ++a)
+        {
+            const double old = s.state[rowSize*a];
+            low[a] = std::min(old, r.low[rowSize*a]);
+            high[a] = std::max(old, r.low[rowSize*a]);
+        }
+        for (std::size_t e = 0; e < s.first.size(); ++e)
+        {
+            const int i = s.first[e], j = s.second[e];
+            if (i == s.nNodes)
+            {
+                continue;
+            }
+            low[i] = std::min(low[i], r.low[rowSize*j]);
+            low[j] = std::min(low[j], r.low[rowSize*i]);
+            high[i] = std::max(high[i], r.low[rowSize*j]);
+            high[j] = std::max(high[j], r.low[rowSize*i]);
+        }
+        double moved = 0;
+        for (int a = 0; a < s.nNodes; ++a)
+        {
+            const double change = r.sum[rowSize*a]/s.volume[a];
+            const double rho = r.low[rowSize*a] + change;
+            EXPECT_GE(rho, low[a]*(1 - 1e-12));
+            EXPECT_LE(rho, high[a]*(1 + 1e-12));
+            moved = std::max(moved, std::abs(change));
+        }
+        EXPECT_GT(moved, 0.01);
+    }
+}
+
+
+TYPED_TEST(Positivity, totalsStay)
+{
+    constexpr int dim = TypeParam::value;
+    const auto& kernels = gasKernel::gasKernels<dim>::best();
+    scene<dim> s(200, 1, 1, 5);
+    s.gas.pRef = 0;
+    const stepResult r = step(s, kernels, 0.8);
+    for (int k = 0; k < scene<dim>::n; ++k)
+    {
+        double before = 0, after = 0, size = 0;
+        for (int a = 0; a < s.nNodes; ++a)
+        {
+            before += s.volume[a]*s.state[rowSize*a + k];
+            after += s.volume[a]*r.low[rowSize*a + k] + r.sum[rowSize*a + k];
+            size += s.volume[a]*std::abs(s.state[rowSize*a + k]);
+        }
+        EXPECT_LE(std::abs(after - before), 1e-12*size) << "component " << k;
+    }
+}
