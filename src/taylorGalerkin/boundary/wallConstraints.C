@@ -137,7 +137,8 @@ Foam::wallConstraints<dim>::facets(const std::vector<bool>& wanted) const
         {
             for (const nodeFacet& f : result[n])
             {
-                scalarList entry(1 + 2*dim, scalar(mesh.globalNode()[nodes_[n]]));
+                const label node = mesh.globalNode()[nodes_[n]];
+                scalarList entry(1 + 2*dim, scalar(node));
                 for (int k = 0; k < dim; ++k)
                 {
                     entry[1 + k] = f.area[k];

@@ -304,8 +304,11 @@ void Foam::gasSolver<dim>::step(const scalar dt)
     catch (const unphysicalEdge& e)
     {
         bad = e.first;
-        if (bad >= 0) what<< "no physical state at the half step between it and "
-            << mesh_.nodes()[e.second];
+        if (bad >= 0)
+        {
+            what<< "no physical state at the half step between it and "
+                << mesh_.nodes()[e.second];
+        }
     }
     catch (const unphysicalNode& e)
     {
