@@ -80,7 +80,8 @@ boundaryField
 
     def mass(self, time, cells):
         """Integral of the density of a plane box, by the solver's triangles:
-        a quadrilateral is cut from its corner of smallest label."""
+        a quadrilateral is cut between its corners at an even number of edges
+        from the first point."""
         n, m = cells
         shape = (m + 1, n + 1)
         side = slice(0, shape[0] * shape[1])
@@ -90,11 +91,17 @@ boundaryField
         corners = [
             (a[:-1, :-1], a[:-1, 1:], a[1:, 1:], a[1:, :-1]) for a in (x, rho)
         ]
+        row, column = np.indices((m, n))
+        even = (row + column) % 2 == 0
         total = 0.0
-        for i, j in ((1, 2), (2, 3)):
-            (p, *ps), (r, *rs) = corners
-            d, e = ps[i - 1] - p, ps[j - 1] - p
-            area = (d[..., 0] * e[..., 1] - d[..., 1] * e[..., 0]) / 2
-            assert (area > 0).all()
-            total += (area * (r + rs[i - 1] + rs[j - 1]) / 3).sum()
+        for cut, triangles in (
+            (even, ((0, 1, 2), (0, 2, 3))), (~even, ((1, 2, 3), (1, 3, 0))),
+        ):
+            for i, j, k in triangles:
+                p, q, r = (corners[0][c][cut] for c in (i, j, k))
+                d, e = q - p, r - p
+                area = (d[..., 0] * e[..., 1] - d[..., 1] * e[..., 0]) / 2
+                assert (area > 0).all()
+                mean = sum(corners[1][c][cut] for c in (i, j, k)) / 3
+                total += (area * mean).sum()
         return total
