@@ -1,4 +1,6 @@
 """A closed box of gas whose wall at x = 0 is a piston; the mesh follows it."""
+import numpy as np
+
 from foamCase import FoamCase
 from gasBox import BLOCK, HERE, GasBox, patch
 
