@@ -139,23 +139,25 @@ void addVolumesInside
 {
     using namespace Foam;
 
-    scalarField outside(mesh.nNodes());
+    // At the corners: a node of a cyclic patch stands at several places
+    scalarField outside(mesh.nCorners());
     forAll(outside, i)
     {
-        outside[i] = body.outside(mesh.nodes()[i]);
+        outside[i] = body.outside(mesh.corners()[i]);
     }
 
     for (label s = 0; s < mesh.nSimplices(); ++s)
     {
         const label* nodes = &mesh.simplices()[(dim + 1)*s];
+        const label* corners = &mesh.simplexCorners()[(dim + 1)*s];
         piece<dim> whole;
         whole.volume = 1;
         simplexVec<dim> x[dim + 1];
         for (int a = 0; a <= dim; ++a)
         {
             whole.bary[a] = piece<dim>::Bary::Unit(a);
-            whole.x[a] = mesh.nodes()[nodes[a]];
-            whole.outside[a] = outside[nodes[a]];
+            whole.x[a] = mesh.corners()[corners[a]];
+            whole.outside[a] = outside[corners[a]];
             x[a] = mesh.components<dim>(whole.x[a]);
         }
 

@@ -3,7 +3,6 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "nodeVolumes.H"
-#include "syncTools.H"
 
 namespace
 {
@@ -17,10 +16,11 @@ void addVolumes(const Foam::feMesh& mesh, Foam::scalarField& volumes)
     for (label s = 0; s < mesh.nSimplices(); ++s)
     {
         const label* nodes = &simplices[(dim + 1)*s];
+        const label* corners = &mesh.simplexCorners()[(dim + 1)*s];
         simplexVec<dim> x[dim + 1];
         for (int a = 0; a <= dim; ++a)
         {
-            x[a] = mesh.components<dim>(mesh.nodes()[nodes[a]]);
+            x[a] = mesh.components<dim>(mesh.corners()[corners[a]]);
         }
         const scalar share =
             mesh.depth()*simplex::volume<dim>(simplex::edges<dim>(x))
@@ -50,12 +50,5 @@ Foam::tmp<Foam::scalarField> Foam::nodeVolumes(const feMesh& mesh)
 
 void Foam::sumCopies(const feMesh& mesh, scalarField& nodeValues)
 {
-    // All points of a node, not only the one that gives it its place:
-    // another processor may have chosen one on the other side of the mesh
-    scalarField pointValues(nodeValues, mesh.nodeOfPoint());
-    syncTools::syncPointList
-    (
-        mesh.poly(), pointValues, plusEqOp<scalar>(), scalar(0)
-    );
-    nodeValues = scalarField(pointValues, mesh.pointOfNode());
+    mesh.exchange().sum(nodeValues.data(), 1, 1);
 }

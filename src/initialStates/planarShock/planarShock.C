@@ -60,6 +60,24 @@ Foam::gasNodes::State Foam::planarShock::behind
 }
 
 
+template<class Lies>
+void Foam::planarShock::checkImages(const feMesh& mesh, const Lies& lies)
+{
+    for (label c = mesh.nNodes(); c < mesh.nCorners(); ++c)
+    {
+        const point& x = mesh.nodes()[mesh.nodeOfCorner(c)];
+        if (lies(x) != lies(mesh.corners()[c]))
+        {
+            FatalErrorInFunction
+                << "The shock makes the two sides of a cyclic patch differ at "
+                << x << " and " << mesh.corners()[c] << nl
+                << "    Use a normal along the cyclic patch, or other patches"
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::planarShock::set(gasNodes& nodes) const
 {
     const gasDynamics::PerfectGas& gas = nodes.gas();
@@ -70,11 +88,17 @@ void Foam::planarShock::set(gasNodes& nodes) const
     const scalar cAhead =
         gas.soundSpeed(ahead_.p, gas.density(ahead_.p, ahead_.T));
 
+    auto lies = [&](const point& x)
+    {
+        return ((x - point_) & normal_) <= tolerance();
+    };
+    checkImages(nodes.mesh(), lies);
+
     boolList isBehind(nodes.size(), false);
     boolList differs(nodes.size(), false);
     for (label i = 0; i < nodes.size(); ++i)
     {
-        isBehind[i] = ((nodes.x(i) - point_) & normal_) <= tolerance();
+        isBehind[i] = lies(nodes.x(i));
         if (isBehind[i])
         {
             nodes.set(i, p, U, T);

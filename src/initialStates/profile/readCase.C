@@ -120,6 +120,15 @@ void checkGas
     }
 }
 
+//- While it lives, this processor works on its own
+struct serialScope
+{
+    const bool parallel = Foam::Pstream::parRun();
+
+    serialScope() { Foam::Pstream::parRun() = false; }
+    ~serialScope() { Foam::Pstream::parRun() = parallel; }
+};
+
 } // End namespace
 
 
@@ -145,6 +154,9 @@ Foam::List<Foam::profileRow> Foam::readCase
     );
     selectTime(time, dict);
     checkGas(time, gas, dict);
+
+    // Every processor reads the whole case, which is not decomposed
+    const serialScope serial;
 
     const polyMesh poly
     (

@@ -80,7 +80,7 @@ void Foam::gasGeometry<dim>::selectEdges()
     for
     (
         std::vector<double>* v
-      : {&magArea_, &inverseLengthArea_, &mass_, &stiffness_, &sweep_}
+      : {&magArea_, &inverseLengthArea_, &mass_, &stiffness_, &sweep_, &side_}
     )
     {
         v->assign(padded, 0.0);
@@ -264,6 +264,16 @@ void Foam::gasGeometry<dim>::setEdges()
         stiffness_[i] = sums[stiffnessAt];
         sweep_[i] = sums[sweepAt];
         const double length = std::sqrt(sums[lengthAt]/sums[countAt]);
+        side_[i] = length;
+        if (!curvature())
+        {
+            // From the mean volume; mass_ is the sum of their shares
+            constexpr double factorial[] = {1, 1, 2, 6};
+            const double hd =
+                factorial[dim]*(dim + 1)*(dim + 2)*mass_[i]
+               /(mesh_.depth()*sums[countAt]);
+            side_[i] = dim == 1 ? hd : dim == 2 ? std::sqrt(hd) : std::cbrt(hd);
+        }
         inverseLengthArea_[i] =
             magArea_[i] > 1e-12*mass_[i]/length ? 1/(length*magArea_[i]) : 0;
     }

@@ -40,26 +40,22 @@ void Foam::pressureLaplacian<dim>::correct
     }
     geometry.mesh().exchange().sum(laplacian_.data(), 1, 1);
 
-    // Viscosity of the nodes. A node's share of a simplex of side h is h^dim
-    // on average.
-    const double depth = geometry.mesh().depth();
+    // All of eq. (10) but the side
     for (label a = 0; a < nNodes; ++a)
     {
-        const double hd = geometry.nodeVolume(a)/depth;
-        const double h =
-            dim == 1 ? hd : dim == 2 ? std::sqrt(hd) : std::cbrt(hd);
         const double speed =
             (state.velocity(a) - geometry.w(a)).norm() + state.soundSpeed(a);
         laplacian_[a] =
-            qDif_*h*h*h*speed/state.p(a)
+            qDif_*speed/state.p(a)
            *std::abs(laplacian_[a])/geometry.nodeVolume(a);
     }
 
     this->nu_.assign(e.n, 0.0);
-    for (std::size_t k = 0; k < e.n; ++k)
+    for (label k = 0; k < geometry.nEdges(); ++k)
     {
+        const double h = geometry.side(k);
         this->nu_[k] =
-            0.5*(laplacian_[e.first[k]] + laplacian_[e.second[k]])
+            0.5*h*h*h*(laplacian_[e.first[k]] + laplacian_[e.second[k]])
            *e.stiffness[k];
     }
     this->sumAtNodes(geometry);

@@ -116,7 +116,7 @@ TEST(StableStep, artificialViscosityHasItsOwnLimit)
         (
             (i > 0 ? p[i - 1] - p[i] : 0) + (i < n ? p[i + 1] - p[i] : 0)
         )/(h*volume(i));
-        mu[i] = q*pow3(volume(i))*speed[i]*mag(laplacian)/p[i];
+        mu[i] = q*pow3(h)*speed[i]*mag(laplacian)/p[i];
     }
     scalar least = GREAT;
     for (label i = 0; i <= n; ++i)
