@@ -183,6 +183,52 @@ void Foam::gasBoundary<dim>::addFluxes
 
 
 template<int dim>
+void Foam::gasBoundary<dim>::closeForce
+(
+    const gasState<dim>& state,
+    gasRows& rates
+) const
+{
+    constexpr int force = gasKernel::place<dim>::force;
+    for (const auto* patches : {&walls_, &open_, &farField_})
+    {
+        for (const fePatch* patch : *patches)
+        {
+            const label number = geometry_.patchNumber(*patch);
+            forAll(patch->facetSimplex, i)
+            {
+                const label* nodes = &patch->facets[dim*i];
+                const auto& facet = geometry_.facet(number, i);
+                for (int a = 0; a < dim; ++a)
+                {
+                    for (int b = 0; b < dim; ++b)
+                    {
+                        const double mean =
+                            0.5*(state.p(nodes[a]) + state.p(nodes[b]))
+                          - state.pRef;
+                        for (int k = 0; k < dim; ++k)
+                        {
+                            rates[nodes[a]][force + k] -=
+                                mean*facet.M[a][b][k];
+                        }
+                    }
+                }
+            }
+        }
+    }
+    const double* hoop = geometry_.hoop();
+    for (label a = 0; hoop && a < state.nNodes(); ++a)
+    {
+        if (geometry_.mesh().exchange().owned(a))
+        {
+            rates[a][force + geometry_.radial()] +=
+                hoop[a]*(state.p(a) - state.pRef);
+        }
+    }
+}
+
+
+template<int dim>
 void Foam::gasBoundary<dim>::halfStepFluxes
 (
     const gasState<dim>& state,
