@@ -50,6 +50,22 @@ def test_speedErrorRunsAndWritesItsPage(tmp_path):
     assert (tmp_path / "pictures" / "speedError-bulb.png").exists()
 
 
+def test_gasRunsAndWritesItsPage(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text("\n".join(marks("gas")) + "\n")
+    run("gas/gasBenchmark.py", "-quick", "-page", page)
+    text = page.read_text()
+    # Each scheme and the peer, at rest and moving; hexahedra
+    rows = re.findall(r"^\| (.*?) \| ([\d.]+) \| ([\d.]+) \|$", text, re.M)
+    names = [name for name, _, _ in rows]
+    for peer in ("rhoCentralFoam", "rhoCentralDyMFoam"):
+        assert names.count(peer) == 1
+    assert len([n for n in names if "`" in n]) == 6
+    assert all(0 < float(b) < float(a) for _, a, b in rows)
+    assert re.search(r"^\| 216 \| [\d.]+ \| [\d.]+ \|", text, re.M)
+    assert float(re.search(r"([\d.]+) GB/s", text).group(1)) > 0
+
+
 def test_speedErrorNamesTheProblems():
     said = run("speedError/speedError.py", "nonsense", code=2)
     assert all(name in said for name in PROBLEMS)

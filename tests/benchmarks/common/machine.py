@@ -2,6 +2,7 @@
 import os
 import re
 import subprocess
+from pathlib import Path
 
 from foamEnvironment import environment
 
@@ -52,3 +53,11 @@ def compiled(source, program, *options):
     subprocess.run(["g++", "-O3", "-march=native", *options, str(source),
                     "-o", str(program)], check=True, env=environment())
     return program
+
+
+def bandwidth(folder):
+    """GB/s of one core, see triad.cpp; compiled into the folder."""
+    program = compiled(Path(__file__).parent / "triad.cpp", folder / "triad")
+    said = subprocess.run([str(program)], stdout=subprocess.PIPE, check=True,
+                          universal_newlines=True).stdout
+    return float(said.split()[0])

@@ -33,3 +33,18 @@ def scheme(capturing=True):
 
 def schemeName(capturing=True):
     return NAME if capturing else NAME_SMOOTH
+
+
+# What can be combined: (timeScheme, shockCapturing, massMatrix), the latter for
+# twoStep only
+COMBINATIONS = [
+    ("twoStep", capturing, mass)
+    for mass in ("lumped", "consistent")
+    for capturing in ("none", "pressureSwitch", "pressureLaplacian",
+                      "fluxCorrected")
+] + [
+    ("threeStep", capturing, None)
+    for capturing in ("none", "pressureSwitch", "pressureLaplacian")
+]
+DEFAULT = (TIME_SCHEME, SHOCK_CAPTURING, None)
+CHEAPEST = ("twoStep", "pressureSwitch", "lumped")
