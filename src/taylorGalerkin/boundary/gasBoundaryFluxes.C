@@ -154,7 +154,7 @@ void Foam::gasBoundary<dim>::addFarFieldFluxes
                 }
                 // The velocity along S that sweeps the same volume
                 const Vec w = swept/S.squaredNorm()*S;
-                State f = gasDynamics::hllcFlux<dim>
+                State f = gasDynamics::farFieldFlux<dim>
                 (
                     eos_, Eigen::Map<const State>(states[nodes[a]].v),
                     outer_[patchi][outerOf_[patchi][dim*i + a]], S, w
