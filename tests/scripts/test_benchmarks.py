@@ -66,6 +66,17 @@ def test_gasRunsAndWritesItsPage(tmp_path):
     assert float(re.search(r"([\d.]+) GB/s", text).group(1)) > 0
 
 
+def test_parallelRunsAndWritesItsPage(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text("\n".join(marks("parallel")) + "\n")
+    run("parallel/parallelBenchmark.py", "-quick", "-methods", "scotch",
+        "-page", page)
+    one, several, ratio = map(float, re.search(
+        r"^\| 2 \| scotch \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|",
+        page.read_text(), re.M).groups())
+    assert ratio == pytest.approx(one / several, rel=0.02)
+
+
 def test_speedErrorNamesTheProblems():
     said = run("speedError/speedError.py", "nonsense", code=2)
     assert all(name in said for name in PROBLEMS)
