@@ -5,12 +5,12 @@ r"""Processor time of the gas per node and step and per simplex and step.
 
 For each scheme, on meshes of tetrahedra at rest and moving, beside OpenFOAM's
 rhoCentralFoam (rhoCentralDyMFoam when they move) on the same polyMesh, the
-default scheme beside rhoCentralFoam on hexahedra as well, and beside the memory
-bandwidth. Writes the tables into the page, by default doc/performance.md.
+default scheme beside rhoCentralFoam on hexahedra as well, and beside the
+memory bandwidth. Writes the tables into the page, by default doc/performance.md.
 
     <nodes>       sizes of the meshes, default 50000 400000
-    -quick        a tiny mesh, only to see that everything works; no page unless
-                  it is named
+    -quick        a tiny mesh, only to see that everything works; no page
+                  unless it is named
     -repeat <n>   median of n runs, default 3
     -peerUpTo <nodes>   no run of the peer on larger meshes (on tetrahedra it
                   takes about 16 kB of memory per node), default 400000

@@ -4,8 +4,8 @@ r"""Speed-up of the gas on several processors.
         [-methods <name> ...] [-repeat <n>] [-quick] [-page <file>] [-noPage]
 
 The default scheme on a cube of tetrahedra, nowhere uniform, on one processor
-and on several; wall-clock time, as the closing lines of the log give it. Writes
-the table into the page, by default doc/performance.md.
+and on several; wall-clock time, as the closing lines of the log give it.
+Writes the table into the page, by default doc/performance.md.
 
     -tetrahedra <n>   about how many, default 400000
     -ranks <n> ...    numbers of processors beside one, default 2

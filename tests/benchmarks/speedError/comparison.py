@@ -56,10 +56,12 @@ class Comparison:
     """One mesh. Both codes start from the means of the initial state over
     their control volumes and are compared with those of the exact one."""
 
-    def __init__(self, problem, size, folder, repeat, capturing):
-        self.problem, self.size, self.repeat = problem, size, repeat
+    def __init__(self, problem, size, folder, options):
+        """options: with repeat, and capturing and maxCo of ours."""
+        self.problem, self.size, self.options = problem, size, options
         self.case = BenchmarkCase(folder / OURS, problem.mesh(size), GAMMA)
-        self.case.write("system/feSchemes", entries(TIME_SCHEME, capturing))
+        self.case.write("system/feSchemes", entries(
+            TIME_SCHEME, options.capturing))
         self.folder = folder
         self.volumes = ControlVolumes(
             self.case.x, self.case.mesh.cells, problem.plane)
@@ -82,7 +84,7 @@ class Comparison:
 
     def measured(self, run):
         """The run of median time; run: does one, returns its log."""
-        return middle([run() for _ in range(self.repeat)])
+        return middle([run() for _ in range(self.options.repeat)])
 
     def ours(self):
         values, case = self.initial[0], self.case
@@ -97,7 +99,8 @@ class Comparison:
         control, places = self.gauges(case.x, "pointProbes")
 
         def run():
-            case.runTo(self.problem.end, timeout=7200, **control)
+            case.runTo(self.problem.end, timeout=7200,
+                       maxCo=self.options.maxCo, **control)
             return RunLog(case.log)
 
         log = self.measured(run)

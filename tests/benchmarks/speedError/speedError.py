@@ -1,7 +1,8 @@
 r"""Processor time against error, beside OpenFOAM's rhoCentralFoam.
 
     tests/benchmarks/speedError/run [<problem> ...] [-quick] [-repeat <n>]
-        [-capturing <name>] [-page <file>] [-noPage]
+        [-sizes <n> ...] [-capturing <name>] [-maxCo <number>]
+        [-page <file>] [-noPage]
 
 Runs each problem on the same polyMesh with both codes, three meshes each and
 one more for ours, and writes table and picture of it into the page, by default
@@ -11,8 +12,10 @@ doc/performance.md with pictures/ beside it.
     -quick        tiny meshes, only to see that everything works; no page
                   unless it is named
     -repeat <n>   median of n runs, default 3
-    -capturing <name>   another shockCapturing than the default; no page unless
-                  it is named
+    -sizes <n> ...      other meshes, with both codes
+    -capturing <name>   another shockCapturing of ours
+    -maxCo <number>     another Courant number of ours
+                  (with one of these three: no page unless it is named)
     -page <file>  another page
     -noPage       print only
 """
@@ -32,7 +35,7 @@ from machine import MissingProgram, facts, load, need  # noqa: E402
 from page import NoMarks, replaceBetween, table  # noqa: E402
 from problems import PROBLEMS  # noqa: E402
 from sameError import Front, interval, levels  # noqa: E402
-from scheme import SHOCK_CAPTURING, TIME_SCHEME  # noqa: E402
+from scheme import MAX_CO, SHOCK_CAPTURING, TIME_SCHEME  # noqa: E402
 
 QUANTITIES = {
     "rho": "L1 of rho", "p": "L1 of p", "u": "L1 of u",
@@ -46,7 +49,9 @@ def parsed(words):
     parser.add_argument("problems", nargs="*", metavar="problem")
     parser.add_argument("-quick", action="store_true")
     parser.add_argument("-repeat", type=int)
-    parser.add_argument("-capturing", default=SHOCK_CAPTURING)
+    parser.add_argument("-sizes", type=int, nargs="+")
+    parser.add_argument("-capturing")
+    parser.add_argument("-maxCo", type=float)
     parser.add_argument("-page", type=Path)
     parser.add_argument("-noPage", action="store_true")
     options = parser.parse_args(words)
@@ -58,20 +63,24 @@ def parsed(words):
     options.repeat = options.repeat or (1 if options.quick else 3)
     if options.noPage:
         options.page = None
-    elif options.page is None and not options.quick \
-            and options.capturing == SHOCK_CAPTURING:
+    elif options.page is None and not (
+            options.quick or options.sizes or options.capturing
+            or options.maxCo):
         options.page = PROJECT / "doc" / "performance.md"
+    options.capturing = options.capturing or SHOCK_CAPTURING
+    options.maxCo = options.maxCo or MAX_CO
     return options
 
 
 def runAll(problem, options, folder):
     """Runs of both codes on all meshes, coarse to fine."""
     runs = []
-    common = problem.quick if options.quick else problem.sizes
-    finer = () if options.quick else problem.finer
+    common, finer = problem.sizes, problem.finer
+    if options.quick or options.sizes:
+        common, finer = options.sizes or problem.quick, ()
     for size in (*common, *finer):
         pair = Comparison(problem, size, folder / problem.name / str(size),
-                          options.repeat, options.capturing)
+                          options)
         codes = (pair.peer, pair.ours) if size in common else (pair.ours,)
         for code in codes:
             runs.append(code())
@@ -116,8 +125,9 @@ def report(problem, runs, options):
             "us per node (cell) and step", *(QUANTITIES[n] for n in names))
     parts = [
         f"Reference: {problem.error}. `{TIME_SCHEME}`,"
-        f" `{options.capturing}`; {facts()}; median of {options.repeat}"
-        f" run(s); load of the machine at the end {load():.1f}.",
+        f" `{options.capturing}`, `maxCo` {options.maxCo:g}; {facts()}; median"
+        f" of {options.repeat} run(s); load of the machine at the end"
+        f" {load():.1f}.",
         table(head, rows),
     ]
     parts += [sameErrors(runs, name) for name in names]
