@@ -46,6 +46,7 @@ def test_speedErrorRunsAndWritesItsPage(tmp_path):
     assert [(r[0], int(r[1])) for r in rows] == [
         (code, n) for code in ("rhoCentralFoam", "shockShellFoam")
         for n in sizes]
+    assert re.search(r"rhoCentralFoam takes .* times our time", text)
     assert all(float(r[2]) > 0 and 0 < float(r[3]) < 0.3 for r in rows)
     assert (tmp_path / "pictures" / "speedError-bulb.png").exists()
 

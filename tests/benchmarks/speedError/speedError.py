@@ -101,16 +101,28 @@ def of(runs, code):
 
 
 def sameErrors(runs, quantity):
-    """Table of the times for the errors of the peer."""
+    """The times of both for the errors of the peer."""
     ours, peer = (
         Front([r.seconds for r in of(runs, code)],
               [r.errors[quantity] for r in of(runs, code)])
         for code in (OURS, PEER))
+    return levels(ours, peer)
+
+
+def tableOfTimes(runs, quantity):
     return table(
         (f"same error, {QUANTITIES[quantity]}", f"{PEER} [s]", f"{OURS} [s]",
          "ratio"),
         [(level.error, level.peer, interval(*level.ours),
-          interval(*level.ratio)) for level in levels(ours, peer)])
+          interval(*level.ratio)) for level in sameErrors(runs, quantity)])
+
+
+def summary(runs, quantity):
+    """One sentence."""
+    ratios = ", ".join(interval(*level.ratio)
+                       for level in sameErrors(runs, quantity))
+    return (f"**{PEER} takes {ratios} times our time for its errors"
+            f" ({QUANTITIES[quantity]}, coarse to fine).**")
 
 
 def report(problem, runs, options):
@@ -124,13 +136,14 @@ def report(problem, runs, options):
     head = ("code", "n", "nodes or cells", "steps", "time [s]",
             "us per node (cell) and step", *(QUANTITIES[n] for n in names))
     parts = [
+        summary(runs, names[0]),
         f"Reference: {problem.error}. `{TIME_SCHEME}`,"
         f" `{options.capturing}`, `maxCo` {options.maxCo:g}; {facts()}; median"
         f" of {options.repeat} run(s); load of the machine at the end"
         f" {load():.1f}.",
         table(head, rows),
     ]
-    parts += [sameErrors(runs, name) for name in names]
+    parts += [tableOfTimes(runs, name) for name in names]
     return "\n\n".join(parts)
 
 
