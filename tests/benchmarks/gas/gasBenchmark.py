@@ -17,7 +17,6 @@ memory bandwidth. Writes the tables into the page, by default doc/performance.md
     -page <file>  another page
     -noPage       print only
 """
-import argparse
 import sys
 import tempfile
 from pathlib import Path
@@ -29,6 +28,7 @@ sys.path[:0] = [str(PROJECT / "tests" / folder) for folder in (
     "benchmarks/gas")]
 
 from machine import MissingProgram, bandwidth, facts, load, need  # noqa: E402
+from options import Parser  # noqa: E402
 from page import NoMarks, replaceBetween, table  # noqa: E402
 from scheme import CHEAPEST, COMBINATIONS, DEFAULT  # noqa: E402
 from stepCosts import UnitCube  # noqa: E402
@@ -38,24 +38,15 @@ MOTION = {False: "at rest", True: "moving"}
 
 
 def parsed(words):
-    parser = argparse.ArgumentParser(
-        prog="run", usage=__doc__, allow_abbrev=False)
+    parser = Parser(__doc__)
     parser.add_argument("sizes", nargs="*", type=int, metavar="nodes")
-    parser.add_argument("-quick", action="store_true")
-    parser.add_argument("-repeat", type=int)
     parser.add_argument("-peerUpTo", type=int, default=400000)
-    parser.add_argument("-page", type=Path)
-    parser.add_argument("-noPage", action="store_true")
-    options = parser.parse_args(words)
+    options = parser.parse(words, repeat=3)
+    parser.choosePage(options, usual=True)
     options.sizes = sorted(options.sizes) or (
         [300] if options.quick else [50000, 400000])
-    options.repeat = options.repeat or (1 if options.quick else 3)
     options.schemes = [DEFAULT, *(
         [CHEAPEST, COMBINATIONS[-1]] if options.quick else COMBINATIONS)]
-    if options.noPage:
-        options.page = None
-    elif options.page is None and not options.quick:
-        options.page = PROJECT / "doc" / "performance.md"
     return options
 
 

@@ -16,7 +16,6 @@ Writes the table into the page, by default doc/performance.md.
     -page <file>      another page
     -noPage           print only
 """
-import argparse
 import re
 import statistics
 import subprocess
@@ -33,6 +32,7 @@ sys.path[:0] = [str(PROJECT / "tests" / folder) for folder in (
 from machine import (  # noqa: E402
     MissingProgram, facts, load, need, triad,
 )
+from options import Parser  # noqa: E402
 from page import NoMarks, replaceBetween, table  # noqa: E402
 from scheme import DEFAULT, entries  # noqa: E402
 from stepCosts import UnitCube  # noqa: E402
@@ -47,23 +47,14 @@ CLOSING = re.compile(
 
 
 def parsed(words):
-    parser = argparse.ArgumentParser(
-        prog="run", usage=__doc__, allow_abbrev=False)
+    parser = Parser(__doc__)
     parser.add_argument("-tetrahedra", type=int)
     parser.add_argument("-ranks", type=int, nargs="+", default=[2])
     parser.add_argument("-methods", nargs="+", default=["scotch", "simple"])
-    parser.add_argument("-quick", action="store_true")
-    parser.add_argument("-repeat", type=int)
-    parser.add_argument("-page", type=Path)
-    parser.add_argument("-noPage", action="store_true")
-    options = parser.parse_args(words)
+    options = parser.parse(words, repeat=5)
+    parser.choosePage(options, usual=True)
     options.tetrahedra = options.tetrahedra or (
         2000 if options.quick else 400000)
-    options.repeat = options.repeat or (1 if options.quick else 5)
-    if options.noPage:
-        options.page = None
-    elif options.page is None and not options.quick:
-        options.page = PROJECT / "doc" / "performance.md"
     return options
 
 

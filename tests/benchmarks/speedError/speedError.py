@@ -19,7 +19,6 @@ doc/performance.md with pictures/ beside it.
     -page <file>  another page
     -noPage       print only
 """
-import argparse
 import sys
 import tempfile
 from pathlib import Path
@@ -32,6 +31,7 @@ sys.path[:0] = [str(PROJECT / "tests" / folder) for folder in (
 
 from comparison import OURS, PEER, Comparison  # noqa: E402
 from machine import MissingProgram, facts, load, need  # noqa: E402
+from options import Parser  # noqa: E402
 from page import NoMarks, replaceBetween, table  # noqa: E402
 from problems import PROBLEMS  # noqa: E402
 from sameError import Front, interval, levels  # noqa: E402
@@ -44,29 +44,19 @@ QUANTITIES = {
 
 
 def parsed(words):
-    parser = argparse.ArgumentParser(
-        prog="run", usage=__doc__, allow_abbrev=False)
+    parser = Parser(__doc__)
     parser.add_argument("problems", nargs="*", metavar="problem")
-    parser.add_argument("-quick", action="store_true")
-    parser.add_argument("-repeat", type=int)
     parser.add_argument("-sizes", type=int, nargs="+")
     parser.add_argument("-capturing")
     parser.add_argument("-maxCo", type=float)
-    parser.add_argument("-page", type=Path)
-    parser.add_argument("-noPage", action="store_true")
-    options = parser.parse_args(words)
+    options = parser.parse(words, repeat=3)
     for name in options.problems:
         if name not in PROBLEMS:
             parser.error(f"unknown problem '{name}'; valid: "
                          + " ".join(PROBLEMS))
     options.problems = options.problems or list(PROBLEMS)
-    options.repeat = options.repeat or (1 if options.quick else 3)
-    if options.noPage:
-        options.page = None
-    elif options.page is None and not (
-            options.quick or options.sizes or options.capturing
-            or options.maxCo):
-        options.page = PROJECT / "doc" / "performance.md"
+    parser.choosePage(options, usual=not (
+        options.sizes or options.capturing or options.maxCo))
     options.capturing = options.capturing or SHOCK_CAPTURING
     options.maxCo = options.maxCo or MAX_CO
     return options
