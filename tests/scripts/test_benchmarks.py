@@ -91,10 +91,13 @@ def test_missingProgramIsNamed(monkeypatch, tmp_path):
 
 
 def test_pageWithoutMarks(tmp_path):
+    """Known before the runs."""
     page = tmp_path / "page.md"
-    page.write_text(marks("a")[0])
+    page.write_text(marks("gas")[0])
     with pytest.raises(NoMarks):
-        replaceBetween(page, "a", "text")
+        replaceBetween(page, "gas", "text")
+    said = run("gas/gasBenchmark.py", "-quick", "-page", page, code=1)
+    assert said.startswith("gas: error:") and "gas: end" in said
 
 
 def test_timeAtTheSameError():

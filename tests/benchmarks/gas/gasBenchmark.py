@@ -29,7 +29,7 @@ sys.path[:0] = [str(PROJECT / "tests" / folder) for folder in (
 
 from machine import MissingProgram, bandwidth, facts, load, need  # noqa: E402
 from options import Parser  # noqa: E402
-from page import NoMarks, replaceBetween, table  # noqa: E402
+from page import NoMarks, expectMarks, replaceBetween, table  # noqa: E402
 from scheme import CHEAPEST, COMBINATIONS, DEFAULT  # noqa: E402
 from stepCosts import UnitCube  # noqa: E402
 
@@ -162,6 +162,7 @@ def main(words):
     options = parsed(words)
     results = Results(options)
     try:
+        expectMarks(options.page, "gas")
         need("shockShellFoam", "blockMesh", *PEERS.values())
         with tempfile.TemporaryDirectory() as folder:
             memory = bandwidth(Path(folder))

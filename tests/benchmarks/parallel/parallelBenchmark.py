@@ -33,7 +33,7 @@ from machine import (  # noqa: E402
     MissingProgram, facts, load, need, triad,
 )
 from options import Parser  # noqa: E402
-from page import NoMarks, replaceBetween, table  # noqa: E402
+from page import NoMarks, expectMarks, replaceBetween, table  # noqa: E402
 from scheme import DEFAULT, entries  # noqa: E402
 from stepCosts import UnitCube  # noqa: E402
 
@@ -124,6 +124,7 @@ def measured(options, folder):
 def main(words):
     options = parsed(words)
     try:
+        expectMarks(options.page, "parallel")
         need("shockShellFoam", "decomposePar", "mpirun")
         with tempfile.TemporaryDirectory() as folder:
             cube, rows = measured(options, Path(folder))

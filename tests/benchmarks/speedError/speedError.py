@@ -32,7 +32,7 @@ sys.path[:0] = [str(PROJECT / "tests" / folder) for folder in (
 from comparison import OURS, PEER, Comparison  # noqa: E402
 from machine import MissingProgram, facts, load, need  # noqa: E402
 from options import Parser  # noqa: E402
-from page import NoMarks, replaceBetween, table  # noqa: E402
+from page import NoMarks, expectMarks, replaceBetween, table  # noqa: E402
 from problems import PROBLEMS  # noqa: E402
 from sameError import Front, interval, levels  # noqa: E402
 from scheme import MAX_CO, SHOCK_CAPTURING, TIME_SCHEME  # noqa: E402
@@ -172,6 +172,8 @@ def write(problem, runs, text, page):
 def main(words):
     options = parsed(words)
     try:
+        expectMarks(options.page,
+                    *(f"speedError {name}" for name in options.problems))
         need(OURS, PEER, "blockMesh")
         for name in options.problems:
             problem = PROBLEMS[name]
