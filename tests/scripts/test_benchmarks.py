@@ -137,6 +137,7 @@ def test_meansOverControlVolumes(tmp_path):
         atNodes, inCells = found.means(
             lambda x: (x @ coefficients)[None])
         centres = points[cells].mean(axis=1) @ coefficients
+        assert found.fromCells(np.full(len(cells), 2.0)) == pytest.approx(2)
         assert inCells[0] == pytest.approx(centres)
         whole = (found.cellVolumes * centres).sum()
         assert (found.nodes * atNodes[0]).sum() == pytest.approx(whole)

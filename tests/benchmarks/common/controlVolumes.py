@@ -97,3 +97,14 @@ class ControlVolumes:
     def means(self, function):
         nodes, cells = self.integrals(function)
         return nodes / self.nodes, cells / self.cellVolumes
+
+    def fromCells(self, values):
+        """Means over the nodes' control volumes of values constant in each
+        cell; each corner has the same share of a cell (exact for simplices
+        and parallelepipeds)."""
+        corners = self.cells.shape[1]
+        share = np.repeat(self.cellVolumes / corners, corners)
+        sums = [
+            np.bincount(self.cells.ravel(), weights, len(self.points))
+            for weights in (share * np.repeat(values, corners), share)]
+        return sums[0] / sums[1]

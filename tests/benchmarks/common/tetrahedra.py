@@ -4,7 +4,7 @@
 
 A box of cubes is cut into five tetrahedra each, with diagonals that alternate,
 so that faces match. The points inside are then moved at random by up to
-`shift` of a cube's side in each direction (seeded): at 0 the tetrahedra are regular.
+`shift` of a cube's side in each direction (seeded).
 Patches: left, right; bottom, top; back, front.
 """
 import numpy as np

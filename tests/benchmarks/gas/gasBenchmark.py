@@ -6,7 +6,8 @@ r"""Processor time of the gas per node and step and per simplex and step.
 For each scheme, on meshes of tetrahedra at rest and moving, beside OpenFOAM's
 rhoCentralFoam (rhoCentralDyMFoam when they move) on the same polyMesh, the
 default scheme beside rhoCentralFoam on hexahedra as well, and beside the
-memory bandwidth. Writes the tables into the page, by default doc/performance.md.
+memory bandwidth. Writes the tables into the page, by default
+doc/performance.md.
 
     <nodes>       sizes of the meshes, default 50000 400000
     -quick        a tiny mesh, only to see that everything works; no page

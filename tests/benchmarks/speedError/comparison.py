@@ -104,10 +104,12 @@ class Comparison:
             return RunLog(case.log)
 
         log = self.measured(run)
-        return self.finish(
+        run = self.finish(
             OURS, log, self.volumes.nodes, self.exact[0],
             {n: case.result(n) for n in ("rho", "U", "p")},
             places, case, "gauges/0/p.dat")
+        run.errors["rhoAtNodes"] = run.errors["rho"]
+        return run
 
     def peer(self):
         case = PeerCase(self.folder / PEER, self.case)
@@ -122,10 +124,16 @@ class Comparison:
 
         log = self.measured(run)
         p, T = case.cellField("p"), case.cellField("T")
-        return self.finish(
+        run = self.finish(
             PEER, log, self.volumes.cellVolumes, self.exact[1],
             {"rho": p / T, "U": case.cellField("U"), "p": p},
             places, case, "gauges/0/p")
+        # Where ours is measured
+        atNodes = self.volumes.fromCells(p / T)
+        run.errors["rhoAtNodes"] = np.average(
+            abs(atNodes - self.exact[0][0]), weights=self.volumes.nodes
+        ) / self.problem.scales[0]
+        return run
 
     def finish(self, code, log, volumes, exact, values, places, case, file):
         found = errors(self.problem, volumes, exact, values)

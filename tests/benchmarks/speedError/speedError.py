@@ -40,6 +40,7 @@ from scheme import MAX_CO, SHOCK_CAPTURING, TIME_SCHEME  # noqa: E402
 QUANTITIES = {
     "rho": "L1 of rho", "p": "L1 of p", "u": "L1 of u",
     "peak": "peak at the gauges",
+    "rhoAtNodes": "L1 of rho, both at nodes",
 }
 
 
