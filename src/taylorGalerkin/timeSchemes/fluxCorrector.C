@@ -87,6 +87,13 @@ void Foam::fluxCorrector<dim>::step
     exchange.sum(data(collected_), rowSize, 4);
     exchange.max(data(collected_) + 4, rowSize, 4);
 
+    // Where a wall holds the temperature the bounds of internal energy are
+    // those of the pressure, which density follows
+    boundary.noSlip().atTemperature
+    (
+        [&](const label a) { collected_[a][4] = collected_[a][5] = GREAT; }
+    );
+
     kernels.shares
     (
         volumes.after, slack_, 0, nRows, data(collected_), data(limited_)
