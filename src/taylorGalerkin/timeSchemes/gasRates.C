@@ -79,9 +79,10 @@ void Foam::gasRates<dim>::compute
     {
         viscous->addPresent(rate);
     }
+    boundary.closeForce(state, rate);
     const sharedItems& exchange = geometry.mesh().exchange();
-    exchange.sum(data(rate), rowSize, n);
-    exchange.sum(data(difference), rowSize, n);
+    exchange.sum(data(rate), rowSize, n + dim);
+    exchange.sum(data(difference), rowSize, n + 1);
 
     gasKernel::gasKernels<dim>::best().rates
     (
