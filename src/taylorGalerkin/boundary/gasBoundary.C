@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 #include "gasBoundary.H"
 #include "farFieldPointPatchFields.H"
+#include "noSlipPointPatchVectorField.H"
 #include "shellInterfacePointPatchVectorField.H"
 #include "zeroGradientPointPatchField.H"
 #include "calculatedPointPatchField.H"
@@ -12,6 +13,7 @@
 #include "PstreamReduceOps.H"
 #include "symmetryPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
+#include "wallPolyPatch.H"
 
 namespace
 {
@@ -34,7 +36,8 @@ bool isPrescribed(const pointPatchField<Type>& pf)
 {
     return
         isA<valuePointPatchField<Type>>(pf)
-     && !isType<calculatedPointPatchField<Type>>(pf);
+     && !isType<calculatedPointPatchField<Type>>(pf)
+     && !isA<farFieldPointPatchField<Type>>(pf);
 }
 
 template<class Type>
@@ -58,7 +61,8 @@ void checkType
         << " on patch " << patch.name << " (" << field.objectPath() << ")"
         << nl << "    The gas solver knows zeroGradient, fixedValue and its "
         << "relatives, slip, symmetry, symmetryPlane," << nl
-        << "    farField and, for U, shellInterface" << exit(FatalError);
+        << "    farField and, for U, noSlip and shellInterface"
+        << exit(FatalError);
 }
 
 } // End namespace
@@ -71,7 +75,8 @@ Foam::gasBoundary<dim>::gasBoundary
     const gasDynamics::PerfectGas& eos,
     pointScalarField& p,
     pointVectorField& U,
-    pointScalarField& T
+    pointScalarField& T,
+    const bool viscous
 )
 :
     geometry_(geometry),
@@ -81,8 +86,10 @@ Foam::gasBoundary<dim>::gasBoundary
     T_(T),
     walls_(wallPatches()),
     half_(geometry.nRows(), uniformRow(0)),
-    wallConstraints_(geometry, walls_)
+    wallConstraints_(geometry, walls_),
+    noSlip_(geometry, eos, noSlipPatches(), U, T)
 {
+    checkWalls(viscous);
     classify();
     readOuterStates();
     findBoundaryNodes();
@@ -98,7 +105,75 @@ bool Foam::gasBoundary<dim>::isWall(const fePatch& patch) const
      || isA<basicSymmetryPointPatchField<vector>>
         (
             U_.boundaryField()[patch.index]
-        );
+        )
+     || isNoSlip(patch);
+}
+
+
+template<int dim>
+bool Foam::gasBoundary<dim>::isNoSlip(const fePatch& patch) const
+{
+    const auto& Up = U_.boundaryField()[patch.index];
+    return
+        isA<noSlipPointPatchVectorField>(Up)
+     || (patch.type == wallPolyPatch::typeName && isPrescribed(Up));
+}
+
+
+template<int dim>
+Foam::List<const Foam::fePatch*>
+Foam::gasBoundary<dim>::noSlipPatches() const
+{
+    DynamicList<const fePatch*> patches;
+    for (const fePatch* patch : walls_)
+    {
+        if (isNoSlip(*patch))
+        {
+            patches.append(patch);
+        }
+    }
+    return List<const fePatch*>(std::move(patches));
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::checkWalls(const bool viscous) const
+{
+    for (const fePatch* patch : walls_)
+    {
+        const word where(" on the wall " + patch->name);
+        const word type(U_.boundaryField()[patch->index].type());
+        const bool sticks = isNoSlip(*patch);
+        if (sticks && !viscous)
+        {
+            FatalErrorInFunction
+                << "U is " << type.c_str() << where.c_str() << " ("
+                << U_.objectPath() << "), but the gas is inviscid" << nl
+                << "    Choose slip, or a viscosity in "
+                << "constant/thermophysicalProperties," << nl
+                << "    or for inflow the type patch in "
+                << "constant/polyMesh/boundary" << exit(FatalError);
+        }
+        if (sticks && isPrescribed(p_.boundaryField()[patch->index]))
+        {
+            FatalErrorInFunction
+                << "p is prescribed" << where.c_str() << " ("
+                << p_.objectPath() << "), through which no mass passes" << nl
+                << "    Choose zeroGradient" << exit(FatalError);
+        }
+        if
+        (
+            viscous && !sticks
+         && isPrescribed(T_.boundaryField()[patch->index])
+        )
+        {
+            FatalErrorInFunction
+                << "T is prescribed" << where.c_str() << " ("
+                << T_.objectPath() << "), where U is " << type.c_str() << nl
+                << "    A wall with a temperature needs U noSlip, or T "
+                << "zeroGradient" << exit(FatalError);
+        }
+    }
 }
 
 
@@ -150,6 +225,10 @@ void Foam::gasBoundary<dim>::classify()
         if (nFar == 3)
         {
             farField.append(&patch);
+            continue;
+        }
+        if (isNoSlip(patch))
+        {
             continue;
         }
         if (!isWall(patch))
@@ -301,6 +380,10 @@ void Foam::gasBoundary<dim>::evaluatePrescribed()
         U_, fixedU_,
         [&](prescription& v, const vector& U, const label pointi)
         {
+            if (noSlip_.holds(mesh.nodeOfPoint()[pointi]))
+            {
+                return;
+            }
             const Vec components =
                 mesh.components<dim>(U, mesh.poly().points()[pointi]);
             std::copy_n(components.data(), dim, v.U);
@@ -350,7 +433,9 @@ void Foam::gasBoundary<dim>::impose(gasRows& states)
         evaluatePrescribed();
         setPrescribed(states);
     }
+    noSlip_.update(U_, T_);
     constrainAtWalls(states);
+    holdWallTemperatures(states);
 }
 
 
@@ -358,6 +443,7 @@ template<int dim>
 void Foam::gasBoundary<dim>::constrainRates(gasRows& rates) const
 {
     constrainAtWalls(rates);
+    holdWallTemperatures(rates);
     forAll(prescribed_, i)
     {
         const prescription& v = values_[i];

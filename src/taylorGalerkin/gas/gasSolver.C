@@ -85,20 +85,18 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
         pointMesh::New(mesh.poly()),
         dimensionedScalar(dimDensity, Zero)
     ),
-    state_
+    properties_
     (
-        readPerfectGas
+        caseDictionary
         (
-            caseDictionary
-            (
-                "thermophysicalProperties",
-                mesh.poly().time().constant(),
-                mesh.poly()
-            )
-        ),
-        geometry_
+            "thermophysicalProperties",
+            mesh.poly().time().constant(),
+            mesh.poly()
+        )
     ),
-    boundary_(geometry_, state_.eos, p_, U_, T_),
+    state_(readPerfectGas(properties_), geometry_),
+    transport_(readTransport(properties_, state_.eos)),
+    boundary_(geometry_, state_.eos, p_, U_, T_, transport_.isPresent()),
     shockCapturing_(shockCapturing<dim>::New(feSchemes_)),
     timeScheme_
     (
@@ -110,6 +108,16 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
     stateTime_(mesh.poly().time().value())
 {
     checkKeywords(feSchemes_, {"timeScheme", "shockCapturing"});
+    if (transport_.isPresent())
+    {
+        rates_.viscous.reset
+        (
+            new viscousTerms<dim>
+            (
+                transport_, boundary_.open(), boundary_.farField()
+            )
+        );
+    }
     readGravity();
     readState();
 
@@ -124,7 +132,13 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
         << "    timeScheme " << feSchemes_.get<word>("timeScheme")
         << ", shockCapturing "
         << feSchemes_.getOrDefault<word>("shockCapturing", "fluxCorrected")
-        << nl << "    " << gasKernel::gasKernels<dim>::best().name
+        << nl;
+    if (transport_.isPresent())
+    {
+        Info<< "    viscous: kappa/mu " << transport_.kappaOverMu()
+            << " J/(kg K)" << nl;
+    }
+    Info<< "    " << gasKernel::gasKernels<dim>::best().name
         << " instructions" << nl << endl;
 }
 
@@ -173,6 +187,7 @@ void Foam::gasSolver<dim>::readState()
             p_[pointi]
         );
     }
+    boundary_.startAtWalls(state_.rows);
     boundary_.impose(state_.rows);
 
     const label bad = state_.derive();
@@ -207,11 +222,32 @@ void Foam::gasSolver<dim>::findReferencePressure()
 
 
 template<int dim>
+const std::vector<double>& Foam::gasSolver<dim>::viscosities()
+{
+    const std::vector<double>& artificial = shockCapturing_->nodalNu();
+    if (!rates_.viscous.valid())
+    {
+        return artificial;
+    }
+    viscosities_ = rates_.viscous->nodal();
+    for (std::size_t a = 0; a < artificial.size(); ++a)
+    {
+        viscosities_[a] += artificial[a];
+    }
+    return viscosities_;
+}
+
+
+template<int dim>
 const Foam::stableStep& Foam::gasSolver<dim>::stable()
 {
     if (!stableIsUpToDate_)
     {
         shockCapturing_->correct(geometry_, state_);
+        if (rates_.viscous.valid())
+        {
+            rates_.viscous->correct(geometry_, state_);
+        }
         if (geometry_.edges().sweep)
         {
             rates_.sumSpeeds(geometry_, state_);
@@ -223,7 +259,7 @@ const Foam::stableStep& Foam::gasSolver<dim>::stable()
         }
         stable_ = findStableStep
         (
-            geometry_, rates_.speed, shockCapturing_->nodalNu()
+            geometry_, rates_.speed, viscosities(), shockCapturing_->limits()
         );
         stableIsUpToDate_ = true;
     }

@@ -10,7 +10,8 @@ Foam::stableStep Foam::findStableStep
 (
     const gasGeometry<dim>& geometry,
     const std::vector<double>& speed,
-    const std::vector<double>& viscosity
+    const std::vector<double>& viscosity,
+    const bool positive
 )
 {
     const feMesh& mesh = geometry.mesh();
@@ -27,8 +28,9 @@ Foam::stableStep Foam::findStableStep
         const double d =
             viscous ? viscosity[a]/geometry.nodeVolume(a) : 0;
 
-        // Root of (dt c)^2 + dt d = 1, eq. (G12)
-        const double dt = 2/(d + std::sqrt(d*d + 4*c*c));
+        // Root of (dt c)^2 + dt d = 1, eq. (G12), or of dt c + dt d = 1
+        const double dt =
+            positive ? 1/(c + d) : 2/(d + std::sqrt(d*d + 4*c*c));
         if (dt < result.deltaT)
         {
             result.deltaT = dt;
@@ -82,18 +84,21 @@ namespace Foam
     (
         const gasGeometry<1>&,
         const std::vector<double>&,
-        const std::vector<double>&
+        const std::vector<double>&,
+        const bool
     );
     template stableStep findStableStep<2>
     (
         const gasGeometry<2>&,
         const std::vector<double>&,
-        const std::vector<double>&
+        const std::vector<double>&,
+        const bool
     );
     template stableStep findStableStep<3>
     (
         const gasGeometry<3>&,
         const std::vector<double>&,
-        const std::vector<double>&
+        const std::vector<double>&,
+        const bool
     );
 }

@@ -82,6 +82,17 @@ void Foam::fluxCorrector<dim>::step
         place::size - place::nSums
     );
 
+    // Where a wall holds the temperature the bounds of internal energy are
+    // those of the pressure, which density follows
+    boundary.noSlip().atTemperature
+    (
+        [&](const label a)
+        {
+            double* row = data(collected_) + place::size*a;
+            row[place::rhoBound] = row[place::rhoBound + 1] = GREAT;
+        }
+    );
+
     kernels.shares
     (
         volumes.after, slack_, 0, nRows, data(state.rows), data(collected_),

@@ -75,6 +75,10 @@ void Foam::gasRates<dim>::compute
     sumEdges(geometry, state);
     boundary.addFluxes(state, 1, rate);
     boundary.addSources(state, 1, rate);
+    if (viscous.valid())
+    {
+        viscous->addPresent(rate);
+    }
     boundary.closeForce(state, rate);
     const sharedItems& exchange = geometry.mesh().exchange();
     exchange.sum(data(rate), rowSize, n + dim);
