@@ -67,7 +67,7 @@ void Foam::fluxCorrector<dim>::step
     }
     if (consistentMass)
     {
-        boundary.constrainRates(sum_);
+        boundary.constrainRates(sum_, dt);
     }
     else
     {
