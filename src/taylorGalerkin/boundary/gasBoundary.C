@@ -38,8 +38,8 @@ bool isPrescribed(const pointPatchField<Type>& pf)
      && !isType<calculatedPointPatchField<Type>>(pf);
 }
 
-//- Lets the clock of the run, which patch fields look at, show a time within its
-//  step
+//- Lets the clock of the run, which patch fields look at, show a time within
+//  its step
 class clockAt
 {
     Time& clock_;
