@@ -265,6 +265,7 @@ void Foam::gasBoundary<dim>::halfStepFluxes
     (
         data(sum), gasKernel::rowSize, gasKernel::place<dim>::nConserved
     );
+    setZeroWherePrescribed(sum);
     if (state.hasGravity)
     {
         for (label a = 0; a < state.nNodes(); ++a)

@@ -327,6 +327,7 @@ void Foam::gasSolver<dim>::step(const scalar dt)
     // The artificial viscosity belongs to the state at the step's start
     stable();
     oldRows_ = state_.rows;
+    boundary_.beginStep(state_.rows, stateTime_, dt);
 
     label bad = -1;
     OStringStream what;

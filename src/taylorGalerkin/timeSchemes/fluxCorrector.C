@@ -67,7 +67,10 @@ void Foam::fluxCorrector<dim>::step
             label(bad), s[0], gasDynamics::pressure<dim>(state.eos, s)
         };
     }
-    boundary.constrainRates(sum_);
+    if (consistentMass)
+    {
+        boundary.constrainRates(sum_, dt);
+    }
 
     using place = gasKernel::collectedPlace;
     kernels.collect

@@ -90,9 +90,7 @@ void Foam::gasRates<dim>::compute
         data(state.rows), speed.data(), data(rate), data(difference)
     );
     boundary.constrainRates(rate);
-
-    // As if the gas went on behind a wall, mirrored
-    boundary.constrainAtWalls(difference);
+    boundary.constrainDifferences(difference);
     hasSums_ = false;
 }
 

@@ -109,7 +109,7 @@ void Foam::twoStep<dim>::viscousStep
                 );
             }
         }
-        boundary.constrainRates(change_);
+        boundary.constrainRates(change_, dt);
     };
     divide(residual_);
 
