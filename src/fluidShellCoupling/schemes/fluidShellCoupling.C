@@ -104,8 +104,45 @@ Foam::fluidShellCoupling::fluidShellCoupling
     subCycles_(subCycles),
     nGasSteps_(0),
     nLastSteps_(0),
-    courantMax_(0)
+    courantMax_(0),
+    largestStable_(0)
 {}
+
+
+const Foam::stableStep& Foam::fluidShellCoupling::stable()
+{
+    const stableStep& s = gas_.stable();
+    if (!adjustTimeStep())
+    {
+        return s;
+    }
+    largestStable_ = max(largestStable_, s.deltaT);
+    const scalar least = time_.controlDict().getOrDefault<scalar>
+    (
+        "minDeltaT", 1e-6*largestStable_
+    );
+    if (s.deltaT >= least)
+    {
+        return s;
+    }
+
+    gas_.writeState();
+    returnReduce(true, andOp<bool>());
+    FatalErrorInFunction
+        << "The stable step of the gas has shrunk to " << s.deltaT
+        << " s at time " << time_.timeName() << " s; the largest was "
+        << largestStable_ << " s, minDeltaT is " << least << " s" << nl
+        << "    It is limited by " << s.limit() << " at node " << s.node
+        << " at " << s.position << nl
+        << "    (rates there: convection " << s.convection
+        << " 1/s, artificial viscosity " << s.diffusion << " 1/s)" << nl
+        << "    The state is written to " << time_.timeName() << nl
+        << "    Look whether cells collapse there (mesh motion, a gap that"
+        << " closes) or the state runs away;" << nl
+        << "    if it is meant to be, set a smaller minDeltaT in "
+        << time_.controlDict().name() << exit(FatalError);
+    return s;
+}
 
 
 bool Foam::fluidShellCoupling::adjustTimeStep() const
@@ -130,7 +167,7 @@ Foam::scalar Foam::fluidShellCoupling::maxCo() const
 
 void Foam::fluidShellCoupling::setDeltaT()
 {
-    const stableStep& stable = gas_.stable();
+    const stableStep& stable = this->stable();
     scalar dt = time_.deltaTValue();
 
     if (adjustTimeStep())
@@ -164,6 +201,8 @@ void Foam::fluidShellCoupling::setDeltaT()
     Info<< "Courant Number mean: "
         << stable.meanConvection*dt/subCycles_ << " max: "
         << stable.maxConvection*dt/subCycles_ << nl
+        << "Stable step " << stable.deltaT << " s: " << stable.limit()
+        << " at node " << stable.node << " " << stable.position << nl
         << "deltaT = " << dt << endl;
 }
 

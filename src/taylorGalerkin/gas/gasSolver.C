@@ -215,9 +215,16 @@ void Foam::gasSolver<dim>::findReferencePressure()
     {
         p[a] = state_.p(a);
     }
-    std::nth_element(p.begin(), p.begin() + p.size()/2, p.end());
-    state_.pRef = p[p.size()/2];
-    Pstream::scatter(state_.pRef);
+    // Of the first processor that has nodes
+    label teller = p.empty() ? labelMax : Pstream::myProcNo();
+    reduce(teller, minOp<label>());
+    state_.pRef = -GREAT;
+    if (teller == Pstream::myProcNo())
+    {
+        std::nth_element(p.begin(), p.begin() + p.size()/2, p.end());
+        state_.pRef = p[p.size()/2];
+    }
+    reduce(state_.pRef, maxOp<scalar>());
 }
 
 
@@ -288,15 +295,8 @@ void Foam::gasSolver<dim>::stopIfBad
     stableIsUpToDate_ = false;
     stable();
 
-    // The state of the step's start belongs to the time before
-    Time& runTime = const_cast<Time&>(mesh_.poly().time());
-    const word failedAt(runTime.timeName());
-    runTime.setTime(stateTime_, max(runTime.timeIndex() - 1, label(0)));
-    updateFields();
-    p_.write();
-    U_.write();
-    T_.write();
-    rho_.write();
+    const word failedAt(mesh_.poly().time().timeName());
+    writeState();
 
     if (teller == Pstream::myProcNo())
     {

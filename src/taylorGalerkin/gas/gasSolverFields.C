@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 #include "gasSolver.H"
 #include "PstreamReduceOps.H"
+#include "Time.H"
 
 template<int dim>
 void Foam::gasSolver<dim>::updateFields()
@@ -28,6 +29,23 @@ void Foam::gasSolver<dim>::updateFields()
             state_.velocity(a), mesh_.poly().points()[pointi]
         );
     }
+}
+
+
+template<int dim>
+void Foam::gasSolver<dim>::writeState()
+{
+    // The state may belong to a time before the run's
+    Time& runTime = const_cast<Time&>(mesh_.poly().time());
+    if (stateTime_ != runTime.value())
+    {
+        runTime.setTime(stateTime_, max(runTime.timeIndex() - 1, label(0)));
+    }
+    updateFields();
+    p_.write();
+    U_.write();
+    T_.write();
+    rho_.write();
 }
 
 

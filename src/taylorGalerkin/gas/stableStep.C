@@ -4,6 +4,63 @@
 \*---------------------------------------------------------------------------*/
 #include "stableStep.H"
 #include "PstreamReduceOps.H"
+#include "FixedList.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- A processor's stable step and sums as numbers: one reduction for all
+enum place
+{
+    step, node, x, y, z, convection, diffusion, greatest, sumOfAll, countOfAll,
+    size
+};
+
+using stepNumbers = FixedList<scalar, size>;
+
+//- The least step, with its place, the lower node of two that are the same
+struct leastStep
+{
+    stepNumbers operator()(const stepNumbers& a, const stepNumbers& b) const
+    {
+        const bool first =
+            a[step] < b[step]
+         || (a[step] == b[step] && a[node] <= b[node]);
+        stepNumbers result(first ? a : b);
+        result[greatest] = max(a[greatest], b[greatest]);
+        result[sumOfAll] = a[sumOfAll] + b[sumOfAll];
+        result[countOfAll] = a[countOfAll] + b[countOfAll];
+        return result;
+    }
+};
+
+void reduceOverProcessors(stableStep& s, scalar& sum, label& count)
+{
+    stepNumbers n;
+    n[step] = s.deltaT;
+    n[node] = s.node < 0 ? GREAT : s.node;
+    n[x] = s.position.x();
+    n[y] = s.position.y();
+    n[z] = s.position.z();
+    n[convection] = s.convection;
+    n[diffusion] = s.diffusion;
+    n[greatest] = s.maxConvection;
+    n[sumOfAll] = sum;
+    n[countOfAll] = count;
+    reduce(n, leastStep());
+    s.deltaT = n[step];
+    s.node = label(n[node]);
+    s.position = point(n[x], n[y], n[z]);
+    s.convection = n[convection];
+    s.diffusion = n[diffusion];
+    s.maxConvection = n[greatest];
+    sum = n[sumOfAll];
+    count = label(n[countOfAll]);
+}
+
+} // End namespace
 
 template<int dim>
 Foam::stableStep Foam::findStableStep
@@ -53,25 +110,7 @@ Foam::stableStep Foam::findStableStep
 
     if (Pstream::parRun())
     {
-        // The processor with the least step tells the others
-        const scalar own = result.deltaT;
-        reduce(result.deltaT, minOp<scalar>());
-        label teller =
-            own == result.deltaT ? Pstream::myProcNo() : labelMax;
-        reduce(teller, minOp<label>());
-        if (teller != Pstream::myProcNo())
-        {
-            result.node = -1;
-            result.position = point::min;
-            result.convection = result.diffusion = -1;
-        }
-        reduce(result.node, maxOp<label>());
-        reduce(result.position, maxOp<point>());
-        reduce(result.convection, maxOp<scalar>());
-        reduce(result.diffusion, maxOp<scalar>());
-        reduce(result.maxConvection, maxOp<scalar>());
-        reduce(sum, sumOp<scalar>());
-        reduce(count, sumOp<label>());
+        reduceOverProcessors(result, sum, count);
     }
     result.meanConvection = sum/max(count, label(1));
     return result;

@@ -4,6 +4,7 @@ A blast in a box with a cyclic pair, walls and far fields, cells cut by several
 processors; 200 steps. The fields of the reconstructed case agree to rounding,
 whatever the number of processors and the way of cutting.
 """
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -73,8 +74,9 @@ numberOfSubdomains {parts}; method {method};
 simpleCoeffs {{ n {counts}; delta 0.001; }}
 """)
     case.run("decomposePar", "-force")
-    case.run("mpirun", "--allow-run-as-root", "--oversubscribe",
-             "-np", str(parts), "shockShellFoam", "-parallel")
+    case.log = case.run(
+        "mpirun", "--allow-run-as-root", "--oversubscribe",
+        "-np", str(parts), "shockShellFoam", "-parallel")
     case.run("reconstructPar", "-latestTime")
 
 
@@ -82,20 +84,27 @@ def fields(case):
     return {name: case.result(name) for name in "pUT"}
 
 
+def limits(case):
+    """Stable steps of the log, and the nodes that rule them."""
+    found = re.findall(r"Stable step (\S+) s: .* node (\d+)", case.log)
+    assert len(found) == STEPS
+    return np.array(found, float).T
+
+
 @pytest.fixture(scope="module", params=["cyclic", "moving"])
 def serial(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp(request.param)
     moving = request.param == "moving"
     case = makeCase(folder / "serial", moving)
-    case.run("shockShellFoam")
-    return folder, moving, fields(case)
+    case.log = case.run("shockShellFoam")
+    return folder, moving, fields(case), limits(case)
 
 
 @pytest.mark.parametrize("parts, method", [
     (2, "scotch"), (4, "simple"), (8, "scotch"),
 ])
 def test_sameAnswer(serial, parts, method):
-    folder, moving, reference = serial
+    folder, moving, reference, stable = serial
     case = makeCase(folder / f"{method}{parts}", moving)
     decompose(case, parts, method)
     for name, values in fields(case).items():
@@ -103,6 +112,10 @@ def test_sameAnswer(serial, parts, method):
         error = np.abs(values - expected).max() / np.abs(expected).max()
         print(name, error)
         assert error <= TOLERANCE
+    steps, nodes = limits(case)
+    assert np.allclose(steps, stable[0], rtol=TOLERANCE)
+    # Several nodes may have the same step, up to rounding
+    assert (nodes == stable[1]).mean() > 0.8
     # The blast has gone through the box
     assert np.ptp(reference["p"]) > 0.3
     shutil.rmtree(case.path)
