@@ -38,6 +38,70 @@ void checkCopies(const Foam::pointScalarField& field)
     }
 }
 
+//- Vectors in the scene's directions, of which the radial one of a wedge scene
+//  differs from point to point
+template<int dim>
+Foam::vectorField inScene
+(
+    const Foam::feMesh& mesh,
+    const Foam::vectorField& U
+)
+{
+    Foam::vectorField result(mesh.nNodes());
+    forAll(result, i)
+    {
+        const Foam::label pointi = mesh.pointOfNode()[i];
+        result[i] = mesh.fullVector<dim>
+        (
+            mesh.components<dim>(U[pointi], mesh.poly().points()[pointi])
+        );
+    }
+    return result;
+}
+
+template<int dim>
+Foam::vectorField atPoints
+(
+    const Foam::feMesh& mesh,
+    const Foam::vectorField& U
+)
+{
+    Foam::vectorField result(mesh.nodeOfPoint().size());
+    forAll(result, pointi)
+    {
+        result[pointi] = mesh.fullVector<dim>
+        (
+            mesh.components<dim>(U[mesh.nodeOfPoint()[pointi]]),
+            mesh.poly().points()[pointi]
+        );
+    }
+    return result;
+}
+
+Foam::vectorField inScene
+(
+    const Foam::feMesh& mesh,
+    const Foam::vectorField& U
+)
+{
+    return
+        mesh.dim() == 1 ? inScene<1>(mesh, U)
+      : mesh.dim() == 2 ? inScene<2>(mesh, U)
+      : inScene<3>(mesh, U);
+}
+
+Foam::vectorField atPoints
+(
+    const Foam::feMesh& mesh,
+    const Foam::vectorField& U
+)
+{
+    return
+        mesh.dim() == 1 ? atPoints<1>(mesh, U)
+      : mesh.dim() == 2 ? atPoints<2>(mesh, U)
+      : atPoints<3>(mesh, U);
+}
+
 } // End namespace
 
 
@@ -76,7 +140,7 @@ void Foam::setStates
         fe,
         readPerfectGas(properties),
         scalarField(p.primitiveField(), fe.pointOfNode()),
-        vectorField(U.primitiveField(), fe.pointOfNode()),
+        inScene(fe, U.primitiveField()),
         scalarField(T.primitiveField(), fe.pointOfNode())
     );
 
@@ -87,7 +151,7 @@ void Foam::setStates
     }
 
     p.primitiveFieldRef() = scalarField(nodes.p(), fe.nodeOfPoint());
-    U.primitiveFieldRef() = vectorField(nodes.U(), fe.nodeOfPoint());
+    U.primitiveFieldRef() = atPoints(fe, nodes.U());
     T.primitiveFieldRef() = scalarField(nodes.T(), fe.nodeOfPoint());
     checkCopies(p);
     checkCopies(T);

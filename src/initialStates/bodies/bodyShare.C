@@ -4,53 +4,47 @@
 \*---------------------------------------------------------------------------*/
 #include "bodyShare.H"
 #include "nodeVolumes.H"
+#include "simplexPiece.H"
 #include "stateInput.H"
+#include "mathematicalConstants.H"
 
 namespace
 {
 
-//- A simplex inside one of the mesh
+//- A piece of a simplex that the edge of a body may cut
 template<int dim>
 struct piece
+:
+    Foam::simplexPiece<dim>
 {
-    using Bary = Eigen::Matrix<double, dim + 1, 1>;
+    using Foam::simplexPiece<dim>::simplexPiece;
 
-    //- Barycentric coordinates of its corners in the simplex of the mesh
-    Bary bary[dim + 1];
     Foam::point x[dim + 1];
     Foam::scalar outside[dim + 1];
-
-    //- Its volume over that of the simplex
-    Foam::scalar volume;
 
     //- Split at the point (1 - t) i + t j between two corners: the part with
     //  that point in place of corner i
     piece part(const int i, const int j, const double t) const
     {
         piece p(*this);
-        p.bary[i] = (1 - t)*bary[i] + t*bary[j];
+        p.bary[i] = (1 - t)*this->bary[i] + t*this->bary[j];
+        p.radius[i] = (1 - t)*this->radius[i] + t*this->radius[j];
         p.x[i] = (1 - t)*x[i] + t*x[j];
-        p.volume = volume*(1 - t);
+        p.volume = this->volume*(1 - t);
         return p;
     }
 };
 
 
-//- Add int N_a over the piece, over the simplex' volume
-template<int dim>
-void addAll(const piece<dim>& p, typename piece<dim>::Bary& sum)
-{
-    for (const auto& b : p.bary)
-    {
-        sum += p.volume/(dim + 1)*b;
-    }
-}
-
-
 //- Add the part where the linear function through the corners' values is
 //  negative: split at the zero of an edge until no edge has one
 template<int dim>
-void addLinear(const piece<dim>& p, typename piece<dim>::Bary& sum)
+void addLinear
+(
+    const piece<dim>& p,
+    const int curvature,
+    typename piece<dim>::Bary& sum
+)
 {
     int in = -1;
     int out = -1;
@@ -65,15 +59,15 @@ void addLinear(const piece<dim>& p, typename piece<dim>::Bary& sum)
     }
     if (out < 0)
     {
-        addAll(p, sum);
+        p.addIntegrals(curvature, sum);
         return;
     }
     const double t = p.outside[in]/(p.outside[in] - p.outside[out]);
     piece<dim> first(p.part(in, out, t));
     piece<dim> second(p.part(out, in, 1 - t));
     first.outside[in] = second.outside[out] = 0;
-    addLinear(first, sum);
-    addLinear(second, sum);
+    addLinear(first, curvature, sum);
+    addLinear(second, curvature, sum);
 }
 
 
@@ -83,6 +77,7 @@ void addInside
 (
     const piece<dim>& p,
     const Foam::convexBody& body,
+    const int curvature,
     typename piece<dim>::Bary& sum
 )
 {
@@ -91,7 +86,7 @@ void addInside
 
     if (*range.second <= 0)
     {
-        addAll(p, sum);     // the body is convex
+        p.addIntegrals(curvature, sum);     // the body is convex
         return;
     }
 
@@ -118,14 +113,14 @@ void addInside
     }
     if (longest <= body.resolution())
     {
-        addLinear(p, sum);
+        addLinear(p, curvature, sum);
         return;
     }
     piece<dim> first(p.part(i, j, 0.5));
     piece<dim> second(p.part(j, i, 0.5));
     first.outside[i] = second.outside[j] = body.outside(first.x[i]);
-    addInside(first, body, sum);
-    addInside(second, body, sum);
+    addInside(first, body, curvature, sum);
+    addInside(second, body, curvature, sum);
 }
 
 
@@ -150,25 +145,18 @@ void addVolumesInside
     {
         const label* nodes = &mesh.simplices()[(dim + 1)*s];
         const label* corners = &mesh.simplexCorners()[(dim + 1)*s];
-        piece<dim> whole;
-        whole.volume = 1;
-        simplexVec<dim> x[dim + 1];
+        piece<dim> whole(mesh, s, plainVolume<dim>(mesh, s));
         for (int a = 0; a <= dim; ++a)
         {
-            whole.bary[a] = piece<dim>::Bary::Unit(a);
             whole.x[a] = mesh.corners()[corners[a]];
             whole.outside[a] = outside[corners[a]];
-            x[a] = mesh.components<dim>(whole.x[a]);
         }
 
         typename piece<dim>::Bary share = piece<dim>::Bary::Zero();
-        addInside(whole, body, share);
-
-        const scalar volume =
-            mesh.depth()*simplex::volume<dim>(simplex::edges<dim>(x));
+        addInside(whole, body, mesh.curvature(), share);
         for (int a = 0; a <= dim; ++a)
         {
-            inside[nodes[a]] += volume*share[a];
+            inside[nodes[a]] += share[a];
         }
     }
 }
@@ -201,6 +189,7 @@ Foam::bodyShare::bodyShare
 )
 :
     f_(volumeInside(nodes.mesh(), body)),
+    sector_(body.sector(nodes.mesh())),
     across_(body.across(nodes.mesh()))
 {
     sumCopies(nodes.mesh(), f_);
@@ -220,9 +209,9 @@ Foam::bodyShare::bodyShare
         across_ = meshVolume_/(body.end() - body.start());
     }
 
-    measured_ = meshVolume_/body.volume(across_);
+    measured_ = meshVolume_/(sector_*body.volume(across_));
     fraction_ = findFraction(body, dict);
-    volume_ = fraction_*body.volume(across_);
+    volume_ = fraction_*sector_*body.volume(across_);
 
     if (mag(correction() - 1) > 0.1)
     {
@@ -277,9 +266,19 @@ Foam::scalar Foam::bodyShare::nodesPerRadius
     const convexBody& body
 ) const
 {
+    const label dim = nodes.mesh().dim();
+    if (nodes.mesh().curvature())
+    {
+        // Volumes of nodes grow with the radius: the nodes are counted, on the
+        // radius or in a half circle
+        const scalar n = nodes.integral(f_/nodes.volume())/fraction_;
+        return
+            dim == 1
+          ? n
+          : Foam::sqrt(2*n/constant::mathematical::pi);
+    }
     const scalar nodeVolume =
         nodes.integral(f_*nodes.volume())/meshVolume_;
-    const label dim = nodes.mesh().dim();
     const scalar depth = (dim < 3 ? nodes.mesh().depth() : 1);
     return body.end()/Foam::pow(nodeVolume/depth, 1.0/dim);
 }
@@ -287,6 +286,6 @@ Foam::scalar Foam::bodyShare::nodesPerRadius
 
 void Foam::bodyShare::print(const convexBody& body) const
 {
-    Info<< "    " << body.name() << ", " << fraction_ << " of it in the mesh: "
+    Info<< "    " << body.name() << ", " << part() << " of it in the mesh: "
         << volume_ << " m3, on the nodes " << meshVolume_ << " m3" << endl;
 }

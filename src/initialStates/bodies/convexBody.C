@@ -15,6 +15,18 @@ namespace
 //- Longest edge of a cut simplex over the body's radius
 const Foam::scalar chord = 0.02;
 
+
+//- Along the axis of a cylindrical line: between its empty sides
+Foam::direction axialDirection(const Foam::feMesh& mesh)
+{
+    Foam::direction d = 0;
+    while (mesh.poly().solutionD()[d] > 0)
+    {
+        ++d;
+    }
+    return d;
+}
+
 } // End namespace
 
 
@@ -79,6 +91,34 @@ Foam::convexBody Foam::convexBody::round
     for (const direction d : mesh.axes())
     {
         inScene[d] = 1;
+    }
+    if (mesh.curvature())
+    {
+        const direction radial = mesh.axes()[mesh.radial()];
+        vector offAxis(centre);
+        if (mesh.dim() == 2)
+        {
+            offAxis[mesh.axes()[1 - mesh.radial()]] = 0;
+        }
+        else if (mesh.curvature() == 1)
+        {
+            offAxis[axialDirection(mesh)] = 0;
+        }
+        if (offAxis != vector::zero)
+        {
+            FatalErrorInFunction
+                << "The centre " << centre << " is not on the axis of the "
+                << "wedge: the body would be a ring" << nl
+                << "    r is along " << vector::componentNames[radial]
+                << exit(FatalError);
+        }
+        if (mesh.dim() == 1 && mesh.curvature() == 1)
+        {
+            vector axis(Zero);
+            axis[axialDirection(mesh)] = 1;
+            return Cylinder(centre, axis, radius);
+        }
+        return Ball(centre, radius);
     }
     switch (mesh.dim())
     {
@@ -154,12 +194,34 @@ Foam::scalar Foam::convexBody::across(const feMesh& mesh) const
     {
         return 1;
     }
-    if (mesh.dim() < 3)
+    if (mesh.curvature() && mesh.dim() == 1)
+    {
+        return mesh.poly().bounds().span()[axialDirection(mesh)];
+    }
+    if (mesh.dim() < 3 && !mesh.curvature())
     {
         return mesh.depth();
     }
 
     return extent(mesh, centre_, axis_).mag();
+}
+
+
+Foam::scalar Foam::convexBody::sector(const feMesh& mesh) const
+{
+    // depth is the angle, for a cylinder on a line times its length
+    switch (mesh.curvature())
+    {
+        case 0:
+            return 1;
+        case 1:
+            return
+                shape_ == slab ? 1
+              : mesh.dim() == 2 ? mesh.depth()/(2*pi)
+              : mesh.depth()/(2*pi*across(mesh));
+        default:
+            return mesh.depth()/(4*pi);
+    }
 }
 
 

@@ -3,6 +3,7 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "nodeVolumes.H"
+#include "simplexPiece.H"
 
 namespace
 {
@@ -12,22 +13,16 @@ void addVolumes(const Foam::feMesh& mesh, Foam::scalarField& volumes)
 {
     using namespace Foam;
 
-    const labelList& simplices = mesh.simplices();
     for (label s = 0; s < mesh.nSimplices(); ++s)
     {
-        const label* nodes = &simplices[(dim + 1)*s];
-        const label* corners = &mesh.simplexCorners()[(dim + 1)*s];
-        simplexVec<dim> x[dim + 1];
+        const label* nodes = &mesh.simplices()[(dim + 1)*s];
+        const simplexPiece<dim> whole(mesh, s, plainVolume<dim>(mesh, s));
+        typename simplexPiece<dim>::Bary integrals =
+            simplexPiece<dim>::Bary::Zero();
+        whole.addIntegrals(mesh.curvature(), integrals);
         for (int a = 0; a <= dim; ++a)
         {
-            x[a] = mesh.components<dim>(mesh.corners()[corners[a]]);
-        }
-        const scalar share =
-            mesh.depth()*simplex::volume<dim>(simplex::edges<dim>(x))
-           /(dim + 1);
-        for (int a = 0; a <= dim; ++a)
-        {
-            volumes[nodes[a]] += share;
+            volumes[nodes[a]] += integrals[a];
         }
     }
 }

@@ -26,12 +26,5 @@ Foam::autoPtr<Foam::initialState> Foam::initialState::New
             dict, typeName, type, *dictionaryConstructorTablePtr_
         ) << exit(FatalIOError);
     }
-    if (mesh.curvature())
-    {
-        FatalIOErrorInFunction(dict)
-            << "States in scenes with wedge patches are not in this version"
-            << nl << "    Use defaultFieldValues and regions"
-            << exit(FatalIOError);
-    }
     return found.val()(mesh, dict);
 }

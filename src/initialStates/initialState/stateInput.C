@@ -37,6 +37,14 @@ Foam::vector Foam::sceneVector
             << mesh.dim() << "-dimensional: only " << inScene
             << " of it lies between the empty sides" << exit(FatalIOError);
     }
+    if (mesh.curvature() && inScene[mesh.axes()[mesh.radial()]] != 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << keyword << " is " << v << ", but in a scene with wedge patches "
+            << "it can only be along the axis, not along r in "
+            << vector::componentNames[mesh.axes()[mesh.radial()]]
+            << exit(FatalIOError);
+    }
     return inScene;
 }
 

@@ -68,12 +68,19 @@ Foam::mappedProfile::mappedProfile
 
 void Foam::mappedProfile::readAxis(const feMesh& mesh)
 {
+    // The directions of a wedge scene are more than it solves; on a curved line
+    // there is only its own geometry
     const label directions = label(geometry_) + 1;
-    if (mesh.dim() < directions)
+    const label there = mesh.dim() + mesh.curvature();
+    if
+    (
+        there < directions
+     || (mesh.curvature() && mesh.dim() == 1 && there != directions)
+    )
     {
         FatalIOErrorInFunction(dict_)
             << "geometry " << dict_.get<word>("geometry") << " needs "
-            << directions << " directions, but the scene has " << mesh.dim()
+            << directions << " directions, but the scene has " << there
             << exit(FatalIOError);
     }
     if (geometry_ == planar)
@@ -141,6 +148,13 @@ Foam::convexBody Foam::mappedProfile::body
     {
         return convexBody::Cylinder(centre_, axis_, radius);
     }
+    if (geometry_ == cylindrical && mesh.curvature() && mesh.dim() == 2)
+    {
+        vector axis(Zero);
+        axis[mesh.axes()[1 - mesh.radial()]] = 1;
+        const point centre((centre_ & axis)*axis);
+        return convexBody::Cylinder(centre, axis, radius);
+    }
     return convexBody::round(mesh, centre_, radius);
 }
 
@@ -157,7 +171,7 @@ Foam::gasNodes::State Foam::mappedProfile::gain
 
     const scalar around[] = {1, 2*pi, 4*pi};
     const radialProfile::State content =
-        share.fraction()*share.across()*around[geometry_]
+        share.part()*share.across()*around[geometry_]
        *source.integral(region.start(), region.end(), geometry_);
 
     List<gasNodes::State> before(nodes.size());

@@ -184,7 +184,7 @@ Foam::List<Foam::profileRow> Foam::readCase
         {
             r[i],
             gas.density(p[pointi], T[pointi]),
-            U[pointi][axis],
+            mesh.components<1>(U[pointi], poly.points()[pointi])[0],
             p[pointi],
             "a node of " + path + ", time " + time.timeName()
         };

@@ -64,9 +64,10 @@ Foam::scalar Foam::sphericalCharge::radiusOf
 ) const
 {
     const convexBody unit(convexBody::round(mesh, centre_, 1));
+    const label power[] = {1, 2, 3};
     return Foam::pow
     (
-        volume/unit.volume(unit.across(mesh)), 1.0/mesh.dim()
+        volume/unit.volume(unit.across(mesh)), 1.0/power[unit.shape()]
     );
 }
 

@@ -58,7 +58,7 @@ TEST_P(RoundBodies, volume)
     const convexBody body(convexBody::round(scene.mesh(), middle(), R));
     const bodyShare share(scene.nodes(), body, nothing);
 
-    EXPECT_EQ(share.fraction(), 1);
+    EXPECT_EQ(share.part(), 1);
     EXPECT_NEAR(share.volume()/volume(R), 1, 1e-14);
     EXPECT_NEAR(share.correction(), 1, GetParam() == 1 ? 1e-13 : 2e-4);
 }
@@ -86,7 +86,7 @@ TEST_P(RoundBodies, symmetryPlanes)
         convexBody::round(scene.mesh(), point(0, 0, 0), 0.6)
     );
     const bodyShare share(scene.nodes(), body, nothing);
-    EXPECT_EQ(share.fraction(), std::pow(0.5, GetParam()));
+    EXPECT_EQ(share.part(), std::pow(0.5, GetParam()));
 }
 
 
@@ -182,7 +182,7 @@ TEST(BodyShare, cylinderInSpace)
         convexBody::Cylinder(point(0, 0.5, 0), vector(0, 0, 2), 0.4)
     );
     const bodyShare share(scene.nodes(), body, nothing);
-    EXPECT_EQ(share.fraction(), 0.5);
+    EXPECT_EQ(share.part(), 0.5);
     EXPECT_NEAR(share.volume(), 0.5*M_PI*0.16, 1e-12);
 }
 
