@@ -154,7 +154,7 @@ void Foam::gasBoundary<dim>::addFarFieldFluxes
                 }
                 // The velocity along S that sweeps the same volume
                 const Vec w = swept/S.squaredNorm()*S;
-                State f = gasDynamics::hllcFlux<dim>
+                State f = gasDynamics::farFieldFlux<dim>
                 (
                     eos_, Eigen::Map<const State>(states[nodes[a]].v),
                     outer_[patchi][outerOf_[patchi][dim*i + a]], S, w
@@ -179,6 +179,52 @@ void Foam::gasBoundary<dim>::addFluxes
     addWallFluxes(states, pRef, dt, sum);
     addOpenFluxes(states, pRef, dt, sum);
     addFarFieldFluxes(states, pRef, dt, sum);
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::closeForce
+(
+    const gasState<dim>& state,
+    gasRows& rates
+) const
+{
+    constexpr int force = gasKernel::place<dim>::force;
+    for (const auto* patches : {&walls_, &open_, &farField_})
+    {
+        for (const fePatch* patch : *patches)
+        {
+            const label number = geometry_.patchNumber(*patch);
+            forAll(patch->facetSimplex, i)
+            {
+                const label* nodes = &patch->facets[dim*i];
+                const auto& facet = geometry_.facet(number, i);
+                for (int a = 0; a < dim; ++a)
+                {
+                    for (int b = 0; b < dim; ++b)
+                    {
+                        const double mean =
+                            0.5*(state.p(nodes[a]) + state.p(nodes[b]))
+                          - state.pRef;
+                        for (int k = 0; k < dim; ++k)
+                        {
+                            rates[nodes[a]][force + k] -=
+                                mean*facet.M[a][b][k];
+                        }
+                    }
+                }
+            }
+        }
+    }
+    const double* hoop = geometry_.hoop();
+    for (label a = 0; hoop && a < state.nNodes(); ++a)
+    {
+        if (geometry_.mesh().exchange().owned(a))
+        {
+            rates[a][force + geometry_.radial()] +=
+                hoop[a]*(state.p(a) - state.pRef);
+        }
+    }
 }
 
 

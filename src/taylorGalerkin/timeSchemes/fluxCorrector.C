@@ -11,8 +11,9 @@ Foam::fluxCorrector<dim>::fluxCorrector(const gasGeometry<dim>& geometry)
     sum_(geometry.nRows(), uniformRow(0)),
     low_(geometry.nRows(), uniformRow(0)),
     limited_(geometry.nRows(), uniformRow(0)),
-    collected_(geometry.nRows()),
+    collected_(2*geometry.nRows()),
     flux_(gasKernel::place<dim>::nConserved*geometry.edges().n, 0.0),
+    signs_(geometry.edges().n),
     nRefused_(0)
 {}
 
@@ -48,9 +49,10 @@ void Foam::fluxCorrector<dim>::step
 
     const long bad = kernels.lowOrderState
     (
-        volumes, gas, dt, 0, nRows, data(state.rows), rates.speed.data(),
-        data(rates.rate), data(rates.difference), data(boundarySum),
-        data(sum_), data(low_), data(limited_)
+        volumes, gas, dt, !consistentMass, 0, nRows, data(state.rows),
+        rates.speed.data(), data(rates.rate), data(rates.difference),
+        data(boundarySum), data(sum_), data(low_), data(limited_),
+        data(collected_)
     );
     const bool isBad = bad >= 0 && bad < geometry.nNodes();
     if (returnReduce(isBad, orOp<bool>()))
@@ -65,36 +67,30 @@ void Foam::fluxCorrector<dim>::step
             label(bad), s[0], gasDynamics::pressure<dim>(state.eos, s)
         };
     }
-    if (consistentMass)
-    {
-        boundary.constrainRates(sum_);
-    }
-    else
-    {
-        std::fill(sum_.begin(), sum_.end(), uniformRow(0));
-    }
+    boundary.constrainRates(sum_);
 
-    std::fill
-    (
-        collected_.begin(), collected_.end(),
-        gasRow{{0, 0, 0, 0, -GREAT, -GREAT, -GREAT, -GREAT}}
-    );
+    using place = gasKernel::collectedPlace;
     kernels.collect
     (
         edges, 0, edges.n, data(sum_), data(limited_), flux_.data(),
-        data(collected_)
+        signs_.data(), data(collected_)
     );
-    exchange.sum(data(collected_), rowSize, 4);
-    exchange.max(data(collected_) + 4, rowSize, 4);
+    exchange.sum(data(collected_), place::size, place::nSums);
+    exchange.max
+    (
+        data(collected_) + place::nSums, place::size,
+        place::size - place::nSums
+    );
 
     kernels.shares
     (
-        volumes.after, slack_, 0, nRows, data(collected_), data(limited_)
+        volumes.after, slack_, 0, nRows, data(state.rows), data(collected_),
+        data(sum_), data(limited_)
     );
-    std::fill(sum_.begin(), sum_.end(), uniformRow(0));
     kernels.limitedFlux
     (
-        edges, 0, edges.n, data(limited_), flux_.data(), data(sum_)
+        edges, 0, edges.n, data(limited_), signs_.data(), flux_.data(),
+        data(sum_)
     );
     exchange.sum(data(sum_), rowSize, n);
     acceptState(geometry, state);
@@ -106,25 +102,19 @@ std::vector<double> Foam::fluxCorrector<dim>::refusing
 (
     const gasGeometry<dim>& geometry,
     const gasState<dim>& state,
-    label& count
-) const
+    const long found
+)
 {
-    std::vector<double> refuses;
-    count = 0;
+    std::vector<double> refuses(geometry.nRows(), 0.0);
     for (label a = 0; a < geometry.nNodes(); ++a)
     {
         const gasDynamics::State<dim> s = state.conserved(a);
-        if (!gasDynamics::isPhysical<dim>(state.eos, s))
+        if (a == found || !gasDynamics::isPhysical<dim>(state.eos, s))
         {
-            if (refuses.empty())
-            {
-                refuses.assign(geometry.nRows(), 0.0);
-            }
             refuses[a] = 1;
-            ++count;
+            ++nRefused_;
         }
     }
-    reduce(count, sumOp<label>());
     return refuses;
 }
 
@@ -138,29 +128,24 @@ void Foam::fluxCorrector<dim>::acceptState
 {
     constexpr int n = gasKernel::place<dim>::nConserved;
     const gasKernel::edges edges = geometry.edges();
+    const auto& kernels = gasKernel::gasKernels<dim>::best();
     const sharedItems& exchange = geometry.mesh().exchange();
     nRefused_ = 0;
 
     while (true)
     {
-        for (label a = 0; a < geometry.nNodes(); ++a)
-        {
-            const double perVolume = 1/geometry.newNodeVolume(a);
-            for (int k = 0; k < n; ++k)
-            {
-                state.rows[a][k] = low_[a][k] + perVolume*sum_[a][k];
-            }
-        }
-
-        label count;
-        std::vector<double> refuses = refusing(geometry, state, count);
-        if (count == 0)
+        const long bad = kernels.newState
+        (
+            state.kernelGas(), geometry.volumes().after, 0, geometry.nRows(),
+            data(low_), data(sum_), data(state.rows)
+        );
+        const bool isBad = bad >= 0 && bad < geometry.nNodes();
+        if (!returnReduce(isBad, orOp<bool>()))
         {
             return;
         }
-        nRefused_ += count;
-        refuses.resize(geometry.nRows(), 0.0);
 
+        const std::vector<double> refuses = refusing(geometry, state, bad);
         std::fill(sum_.begin(), sum_.end(), uniformRow(0));
         for (std::size_t e = 0; e < edges.n; ++e)
         {

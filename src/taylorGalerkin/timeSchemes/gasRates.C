@@ -75,9 +75,10 @@ void Foam::gasRates<dim>::compute
     sumEdges(geometry, state);
     boundary.addFluxes(state, 1, rate);
     boundary.addSources(state, 1, rate);
+    boundary.closeForce(state, rate);
     const sharedItems& exchange = geometry.mesh().exchange();
-    exchange.sum(data(rate), rowSize, n);
-    exchange.sum(data(difference), rowSize, n);
+    exchange.sum(data(rate), rowSize, n + dim);
+    exchange.sum(data(difference), rowSize, n + 1);
 
     gasKernel::gasKernels<dim>::best().rates
     (

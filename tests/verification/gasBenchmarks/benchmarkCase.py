@@ -98,7 +98,6 @@ class BenchmarkCase(FoamCase):
         self.path, self.mesh, self.gamma = folder.resolve(), mesh, gamma
         for name in ("0", "constant", "system"):
             (self.path / name).mkdir(parents=True)
-        self.write("system/blockMeshDict", mesh.text(), headed=True)
         self.write("system/feSchemes", scheme(capturing))
         self.control({"stopAt": "endTime", "endTime": 1, "deltaT": 1,
                       "writeInterval": 1})
@@ -114,7 +113,7 @@ class BenchmarkCase(FoamCase):
                 "value (%.17g %.17g %.17g);\n" % gravity,
                 kind="uniformDimensionedVectorField",
             )
-        self.run("blockMesh")
+        mesh.make(self)
         self.readMesh()
 
     def write(self, file, text, kind="dictionary", headed=False):

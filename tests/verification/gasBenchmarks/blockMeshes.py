@@ -54,6 +54,11 @@ class BlockMesh:
             f"boundary\n(\n{patches}\n);\n"
         )
 
+    def make(self, case):
+        """The polyMesh of a case."""
+        case.write("system/blockMeshDict", self.text(), headed=True)
+        case.run("blockMesh")
+
     def cyclic(self, first, second):
         """The mesh with these two patches joined."""
         for name, other in ((first, second), (second, first)):
