@@ -46,6 +46,7 @@ def test_speedErrorRunsAndWritesItsPage(tmp_path):
     assert [(r[0], int(r[1])) for r in rows] == [
         (code, n) for code in ("rhoCentralFoam", "shockShellFoam")
         for n in sizes]
+    assert re.search(r"rhoCentralFoam takes .* times our time", text)
     assert all(float(r[2]) > 0 and 0 < float(r[3]) < 0.3 for r in rows)
     assert (tmp_path / "pictures" / "speedError-bulb.png").exists()
 
@@ -66,6 +67,17 @@ def test_gasRunsAndWritesItsPage(tmp_path):
     assert float(re.search(r"([\d.]+) GB/s", text).group(1)) > 0
 
 
+def test_parallelRunsAndWritesItsPage(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text("\n".join(marks("parallel")) + "\n")
+    run("parallel/parallelBenchmark.py", "-quick", "-methods", "scotch",
+        "-page", page)
+    one, several, ratio = map(float, re.search(
+        r"^\| 2 \| scotch \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|",
+        page.read_text(), re.M).groups())
+    assert ratio == pytest.approx(one / several, rel=0.02)
+
+
 def test_speedErrorNamesTheProblems():
     said = run("speedError/speedError.py", "nonsense", code=2)
     assert all(name in said for name in PROBLEMS)
@@ -79,10 +91,13 @@ def test_missingProgramIsNamed(monkeypatch, tmp_path):
 
 
 def test_pageWithoutMarks(tmp_path):
+    """Known before the runs."""
     page = tmp_path / "page.md"
-    page.write_text(marks("a")[0])
+    page.write_text(marks("gas")[0])
     with pytest.raises(NoMarks):
-        replaceBetween(page, "a", "text")
+        replaceBetween(page, "gas", "text")
+    said = run("gas/gasBenchmark.py", "-quick", "-page", page, code=1)
+    assert said.startswith("gas: error:") and "gas: end" in said
 
 
 def test_timeAtTheSameError():
@@ -122,6 +137,7 @@ def test_meansOverControlVolumes(tmp_path):
         atNodes, inCells = found.means(
             lambda x: (x @ coefficients)[None])
         centres = points[cells].mean(axis=1) @ coefficients
+        assert found.fromCells(np.full(len(cells), 2.0)) == pytest.approx(2)
         assert inCells[0] == pytest.approx(centres)
         whole = (found.cellVolumes * centres).sum()
         assert (found.nodes * atNodes[0]).sum() == pytest.approx(whole)

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 #include "gasBoundary.H"
 #include "farFieldPointPatchFields.H"
+#include "noSlipPointPatchVectorField.H"
 #include "shellInterfacePointPatchVectorField.H"
 #include "zeroGradientPointPatchField.H"
 #include "calculatedPointPatchField.H"
@@ -12,6 +13,8 @@
 #include "PstreamReduceOps.H"
 #include "symmetryPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
+#include "wallPolyPatch.H"
+#include "Time.H"
 
 namespace
 {
@@ -34,8 +37,29 @@ bool isPrescribed(const pointPatchField<Type>& pf)
 {
     return
         isA<valuePointPatchField<Type>>(pf)
-     && !isType<calculatedPointPatchField<Type>>(pf);
+     && !isType<calculatedPointPatchField<Type>>(pf)
+     && !isA<farFieldPointPatchField<Type>>(pf);
 }
+
+//- Lets the clock of the run, which patch fields look at, show a time within
+//  its step
+class clockAt
+{
+    Time& clock_;
+    const scalar shown_;
+
+public:
+
+    clockAt(const Time& clock, const scalar time)
+    :
+        clock_(const_cast<Time&>(clock)),
+        shown_(clock.value())
+    {
+        clock_.value() = time;
+    }
+
+    ~clockAt() { clock_.value() = shown_; }
+};
 
 template<class Type>
 void checkType
@@ -58,7 +82,8 @@ void checkType
         << " on patch " << patch.name << " (" << field.objectPath() << ")"
         << nl << "    The gas solver knows zeroGradient, fixedValue and its "
         << "relatives, slip, symmetry, symmetryPlane," << nl
-        << "    farField and, for U, shellInterface" << exit(FatalError);
+        << "    farField and, for U, noSlip and shellInterface"
+        << exit(FatalError);
 }
 
 } // End namespace
@@ -71,7 +96,8 @@ Foam::gasBoundary<dim>::gasBoundary
     const gasDynamics::PerfectGas& eos,
     pointScalarField& p,
     pointVectorField& U,
-    pointScalarField& T
+    pointScalarField& T,
+    const bool viscous
 )
 :
     geometry_(geometry),
@@ -80,12 +106,22 @@ Foam::gasBoundary<dim>::gasBoundary
     U_(U),
     T_(T),
     walls_(wallPatches()),
+    outerVaries_(false),
     half_(geometry.nRows(), uniformRow(0)),
-    wallConstraints_(geometry, walls_)
+    hasPrescribed_(false),
+    wallConstraints_(geometry, walls_),
+    noSlip_(geometry, eos, noSlipPatches(), U, T)
 {
+    checkWalls(viscous);
     classify();
-    readOuterStates();
+    const scalar time = geometry.mesh().poly().time().value();
+    findOuterNodes();
+    readOuterStates(time);
     findBoundaryNodes();
+    if (hasPrescribed_)
+    {
+        evaluatePrescribed(time);
+    }
 }
 
 
@@ -98,7 +134,75 @@ bool Foam::gasBoundary<dim>::isWall(const fePatch& patch) const
      || isA<basicSymmetryPointPatchField<vector>>
         (
             U_.boundaryField()[patch.index]
-        );
+        )
+     || isNoSlip(patch);
+}
+
+
+template<int dim>
+bool Foam::gasBoundary<dim>::isNoSlip(const fePatch& patch) const
+{
+    const auto& Up = U_.boundaryField()[patch.index];
+    return
+        isA<noSlipPointPatchVectorField>(Up)
+     || (patch.type == wallPolyPatch::typeName && isPrescribed(Up));
+}
+
+
+template<int dim>
+Foam::List<const Foam::fePatch*>
+Foam::gasBoundary<dim>::noSlipPatches() const
+{
+    DynamicList<const fePatch*> patches;
+    for (const fePatch* patch : walls_)
+    {
+        if (isNoSlip(*patch))
+        {
+            patches.append(patch);
+        }
+    }
+    return List<const fePatch*>(std::move(patches));
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::checkWalls(const bool viscous) const
+{
+    for (const fePatch* patch : walls_)
+    {
+        const word where(" on the wall " + patch->name);
+        const word type(U_.boundaryField()[patch->index].type());
+        const bool sticks = isNoSlip(*patch);
+        if (sticks && !viscous)
+        {
+            FatalErrorInFunction
+                << "U is " << type.c_str() << where.c_str() << " ("
+                << U_.objectPath() << "), but the gas is inviscid" << nl
+                << "    Choose slip, or a viscosity in "
+                << "constant/thermophysicalProperties," << nl
+                << "    or for inflow the type patch in "
+                << "constant/polyMesh/boundary" << exit(FatalError);
+        }
+        if (sticks && isPrescribed(p_.boundaryField()[patch->index]))
+        {
+            FatalErrorInFunction
+                << "p is prescribed" << where.c_str() << " ("
+                << p_.objectPath() << "), through which no mass passes" << nl
+                << "    Choose zeroGradient" << exit(FatalError);
+        }
+        if
+        (
+            viscous && !sticks
+         && isPrescribed(T_.boundaryField()[patch->index])
+        )
+        {
+            FatalErrorInFunction
+                << "T is prescribed" << where.c_str() << " ("
+                << T_.objectPath() << "), where U is " << type.c_str() << nl
+                << "    A wall with a temperature needs U noSlip, or T "
+                << "zeroGradient" << exit(FatalError);
+        }
+    }
 }
 
 
@@ -152,6 +256,10 @@ void Foam::gasBoundary<dim>::classify()
             farField.append(&patch);
             continue;
         }
+        if (isNoSlip(patch))
+        {
+            continue;
+        }
         if (!isWall(patch))
         {
             open.append(&patch);
@@ -167,37 +275,47 @@ void Foam::gasBoundary<dim>::classify()
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::readOuterStates()
+void Foam::gasBoundary<dim>::findOuterNodes()
 {
-    const feMesh& mesh = geometry_.mesh();
     outer_.setSize(farField_.size());
     outerOf_.setSize(farField_.size());
-
     forAll(farField_, i)
     {
         const fePatch& patch = *farField_[i];
-        const auto& p = refCast<const farFieldPointPatchField<scalar>>
-        (
-            p_.boundaryField()[patch.index]
-        ).outer();
-        const auto& U = refCast<const farFieldPointPatchField<vector>>
-        (
-            U_.boundaryField()[patch.index]
-        ).outer();
-        const auto& T = refCast<const farFieldPointPatchField<scalar>>
-        (
-            T_.boundaryField()[patch.index]
-        ).outer();
-
-        const labelList& points =
-            p_.boundaryField()[patch.index].patch().meshPoints();
         outer_[i].resize(patch.nodes.size());
         outerOf_[i].setSize(patch.facets.size());
         forAll(patch.facets, k)
         {
             outerOf_[i][k] = findLower(patch.nodes, patch.facets[k] + 1);
         }
+    }
+}
 
+
+template<int dim>
+void Foam::gasBoundary<dim>::readOuterStates(const scalar time)
+{
+    const feMesh& mesh = geometry_.mesh();
+    forAll(farField_, i)
+    {
+        const fePatch& patch = *farField_[i];
+        auto outerOf = [&](auto& field) -> const auto&
+        {
+            using Type = typename std::decay_t<decltype(field)>::value_type;
+            auto& pf = refCast<farFieldPointPatchField<Type>>
+            (
+                field.boundaryFieldRef(false)[patch.index]
+            );
+            pf.setTime(time);
+            outerVaries_ = outerVaries_ || pf.varies();
+            return pf.outer();
+        };
+        const auto& p = outerOf(p_);
+        const auto& U = outerOf(U_);
+        const auto& T = outerOf(T_);
+
+        const labelList& points =
+            p_.boundaryField()[patch.index].patch().meshPoints();
         forAll(points, pointi)
         {
             const label node = mesh.nodeOfPoint()[points[pointi]];
@@ -264,17 +382,19 @@ void Foam::gasBoundary<dim>::findBoundaryNodes()
     prescribed_.transfer(prescribed);
     boundaryNodes_.transfer(boundary);
     values_.resize(prescribed_.size());
+    prescribedRate_.assign(prescribed_.size(), State::Zero());
+    hasPrescribed_ = returnReduce(prescribed_.size() > 0, orOp<bool>());
 
     const prescription none{-GREAT, -GREAT, {-GREAT, -GREAT, -GREAT}};
     shared_.assign(Pstream::parRun() ? mesh.nNodes() : 0, none);
-    evaluatePrescribed();
 }
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::evaluatePrescribed()
+void Foam::gasBoundary<dim>::evaluatePrescribed(const scalar time)
 {
     const feMesh& mesh = geometry_.mesh();
+    const clockAt clock(mesh.poly().time(), time);
     const prescription none{-GREAT, -GREAT, {-GREAT, -GREAT, -GREAT}};
     std::fill(values_.begin(), values_.end(), none);
 
@@ -301,6 +421,10 @@ void Foam::gasBoundary<dim>::evaluatePrescribed()
         U_, fixedU_,
         [&](prescription& v, const vector& U, const label pointi)
         {
+            if (noSlip_.holds(mesh.nodeOfPoint()[pointi]))
+            {
+                return;
+            }
             const Vec components =
                 mesh.components<dim>(U, mesh.poly().points()[pointi]);
             std::copy_n(components.data(), dim, v.U);
@@ -325,19 +449,48 @@ void Foam::gasBoundary<dim>::evaluatePrescribed()
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::setPrescribed(gasRows& states) const
+typename Foam::gasBoundary<dim>::State
+Foam::gasBoundary<dim>::withPrescribed
+(
+    const prescription& v,
+    const State& s
+) const
 {
+    Vec U = gasDynamics::velocity<dim>(s);
+    double p = gasDynamics::pressure<dim>(eos_, s);
+    double T = eos_.temperature(p, s[0]);
+    if (v.p > -GREAT) p = v.p;
+    if (v.T > -GREAT) T = v.T;
+    if (v.U[0] > -GREAT) U = Eigen::Map<const Vec>(v.U);
+    return gasDynamics::conserved<dim>(eos_, eos_.density(p, T), U, p);
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::beginStep
+(
+    const gasRows& states,
+    const scalar start,
+    const scalar dt
+)
+{
+    if (outerVaries_)
+    {
+        readOuterStates(start + 0.5*dt);
+    }
+    if (!hasPrescribed_)
+    {
+        return;
+    }
+    evaluatePrescribed(start + dt);
     forAll(prescribed_, i)
     {
-        const prescription& v = values_[i];
-        Eigen::Map<State> s(states[prescribed_[i]].v);
-        Vec U = gasDynamics::velocity<dim>(s);
-        double p = gasDynamics::pressure<dim>(eos_, s);
-        double T = eos_.temperature(p, s[0]);
-        if (v.p > -GREAT) p = v.p;
-        if (v.T > -GREAT) T = v.T;
-        if (v.U[0] > -GREAT) U = Eigen::Map<const Vec>(v.U);
-        s = gasDynamics::conserved<dim>(eos_, eos_.density(p, T), U, p);
+        if (isComplete(values_[i]))
+        {
+            const State s =
+                Eigen::Map<const State>(states[prescribed_[i]].v);
+            prescribedRate_[i] = (withPrescribed(values_[i], s) - s)/dt;
+        }
     }
 }
 
@@ -345,27 +498,55 @@ void Foam::gasBoundary<dim>::setPrescribed(gasRows& states) const
 template<int dim>
 void Foam::gasBoundary<dim>::impose(gasRows& states)
 {
-    if (returnReduce(prescribed_.size(), sumOp<label>()))
+    forAll(prescribed_, i)
     {
-        evaluatePrescribed();
-        setPrescribed(states);
+        Eigen::Map<State> s(states[prescribed_[i]].v);
+        s = withPrescribed(values_[i], s);
     }
+    noSlip_.update(U_, T_);
     constrainAtWalls(states);
+    holdWallTemperatures(states);
 }
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::constrainRates(gasRows& rates) const
+void Foam::gasBoundary<dim>::setZeroWherePrescribed(gasRows& rows) const
 {
-    constrainAtWalls(rates);
     forAll(prescribed_, i)
     {
-        const prescription& v = values_[i];
-        if (v.p > -GREAT && v.T > -GREAT && v.U[0] > -GREAT)
+        if (isComplete(values_[i]))
         {
-            rates[prescribed_[i]] = uniformRow(0);
+            rows[prescribed_[i]] = uniformRow(0);
         }
     }
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::constrainDifferences(gasRows& rows) const
+{
+    setZeroWherePrescribed(rows);
+    constrainAtWalls(rows);
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::constrainRates
+(
+    gasRows& rates,
+    const double duration
+) const
+{
+    forAll(prescribed_, i)
+    {
+        if (isComplete(values_[i]))
+        {
+            Eigen::Map<State>(rates[prescribed_[i]].v) =
+                duration*prescribedRate_[i];
+        }
+    }
+    constrainAtWalls(rates);
+    holdWallTemperatures(rates);
 }
 
 

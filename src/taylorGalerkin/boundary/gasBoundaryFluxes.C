@@ -290,6 +290,7 @@ void Foam::gasBoundary<dim>::halfStepFluxes
     (
         data(sum), gasKernel::rowSize, gasKernel::place<dim>::nConserved
     );
+    setZeroWherePrescribed(sum);
     if (state.hasGravity)
     {
         for (label a = 0; a < state.nNodes(); ++a)
@@ -327,6 +328,13 @@ Foam::labelList Foam::gasBoundary<dim>::acting
     }
 
     // Values that may change with time
+    for (const fePatch* patch : farField_)
+    {
+        if (outerVaries_)
+        {
+            nodes.append(patch->nodes);
+        }
+    }
     const auto& p = p_.boundaryField();
     const auto& U = U_.boundaryField();
     const auto& T = T_.boundaryField();

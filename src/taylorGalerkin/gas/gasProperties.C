@@ -10,7 +10,7 @@ gasDynamics::PerfectGas Foam::readPerfectGas(const dictionary& dict)
 {
     const dictionary& type = dict.subDict("thermoType");
     selectEntry(type, "mixture", {"pureMixture"});
-    selectEntry(type, "transport", {"const"});
+    selectEntry(type, "transport", {"const", "sutherland"});
     selectEntry(type, "thermo", {"hConst"});
     selectEntry(type, "equationOfState", {"perfectGas"});
 
@@ -19,15 +19,7 @@ gasDynamics::PerfectGas Foam::readPerfectGas(const dictionary& dict)
     const scalar molWeight =
         mixture.subDict("specie").get<scalar>("molWeight");
     const scalar Cp = thermodynamics.get<scalar>("Cp");
-    const dictionary& transport = mixture.subDict("transport");
-    const scalar mu = transport.get<scalar>("mu");
 
-    if (mu != 0)
-    {
-        FatalIOErrorInFunction(transport)
-            << "mu is " << mu << ", but this version solves inviscid flow "
-            << "only" << nl << "    Set mu to 0" << exit(FatalIOError);
-    }
     if (molWeight <= 0)
     {
         FatalIOErrorInFunction(mixture)
@@ -43,4 +35,42 @@ gasDynamics::PerfectGas Foam::readPerfectGas(const dictionary& dict)
             << "constant R = RR/molWeight = " << R << exit(FatalIOError);
     }
     return gasDynamics::PerfectGas(R, Cp);
+}
+
+
+gasDynamics::Transport Foam::readTransport
+(
+    const dictionary& dict,
+    const gasDynamics::PerfectGas& gas
+)
+{
+    const dictionary& transport =
+        dict.subDict("mixture").subDict("transport");
+    auto positive = [&](const word& keyword, const bool orZero)
+    {
+        const scalar value = transport.get<scalar>(keyword);
+        if (!(value > 0 || (orZero && value == 0)))
+        {
+            FatalIOErrorInFunction(transport)
+                << keyword << " is " << value << ", but must be positive"
+                << (orZero ? " or zero" : "") << exit(FatalIOError);
+        }
+        return value;
+    };
+
+    const bool isConstant =
+        dict.subDict("thermoType").get<word>("transport") == "const";
+    if (isConstant)
+    {
+        const scalar mu = positive("mu", true);
+        return
+            mu > 0
+          ? gasDynamics::Transport::constant(gas, mu, positive("Pr", false))
+          : gasDynamics::Transport();
+    }
+    return gasDynamics::Transport::sutherland
+    (
+        gas, positive("As", false), positive("Ts", true),
+        transport.found("Pr") ? positive("Pr", false) : 0
+    );
 }

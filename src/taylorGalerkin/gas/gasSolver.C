@@ -88,20 +88,18 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
         dimensionedScalar(dimDensity, Zero)
     ),
     zones_(geometry_, feSchemes_),
-    state_
+    properties_
     (
-        readPerfectGas
+        caseDictionary
         (
-            caseDictionary
-            (
-                "thermophysicalProperties",
-                mesh.poly().time().constant(),
-                mesh.poly()
-            )
-        ),
-        geometry_
+            "thermophysicalProperties",
+            mesh.poly().time().constant(),
+            mesh.poly()
+        )
     ),
-    boundary_(geometry_, state_.eos, p_, U_, T_),
+    state_(readPerfectGas(properties_), geometry_),
+    transport_(readTransport(properties_, state_.eos)),
+    boundary_(geometry_, state_.eos, p_, U_, T_, transport_.isPresent()),
     shockCapturing_(shockCapturing<dim>::New(feSchemes_)),
     timeScheme_
     (
@@ -112,7 +110,20 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
     stableIsUpToDate_(false),
     stateTime_(mesh.poly().time().value())
 {
-    checkKeywords(feSchemes_, {"timeScheme", "shockCapturing", "quiescentZones"});
+    checkKeywords
+    (
+        feSchemes_, {"timeScheme", "shockCapturing", "quiescentZones"}
+    );
+    if (transport_.isPresent())
+    {
+        rates_.viscous.reset
+        (
+            new viscousTerms<dim>
+            (
+                transport_, boundary_.open(), boundary_.farField()
+            )
+        );
+    }
     readGravity();
     sortPoints();
     readState();
@@ -120,6 +131,10 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
     if (feSchemes_.get<word>("timeScheme") == "threeStep")
     {
         zones_.forbid("timeScheme threeStep has none");
+    }
+    if (transport_.isPresent())
+    {
+        zones_.forbid("the gas is viscous");
     }
     if (state_.hasGravity)
     {
@@ -137,7 +152,13 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
         << "    timeScheme " << feSchemes_.get<word>("timeScheme")
         << ", shockCapturing "
         << feSchemes_.getOrDefault<word>("shockCapturing", "fluxCorrected")
-        << nl << "    " << gasKernel::gasKernels<dim>::best().name
+        << nl;
+    if (transport_.isPresent())
+    {
+        Info<< "    viscous: kappa/mu " << transport_.kappaOverMu()
+            << " J/(kg K)" << nl;
+    }
+    Info<< "    " << gasKernel::gasKernels<dim>::best().name
         << " instructions" << nl << endl;
 }
 
@@ -208,6 +229,7 @@ void Foam::gasSolver<dim>::readState()
             p_[pointi]
         );
     }
+    boundary_.startAtWalls(state_.rows);
     boundary_.impose(state_.rows);
 
     const label bad = state_.derive(geometry_.active());
@@ -254,11 +276,32 @@ void Foam::gasSolver<dim>::findReferences()
 
 
 template<int dim>
+const std::vector<double>& Foam::gasSolver<dim>::viscosities()
+{
+    const std::vector<double>& artificial = shockCapturing_->nodalNu();
+    if (!rates_.viscous.valid())
+    {
+        return artificial;
+    }
+    viscosities_ = rates_.viscous->nodal();
+    for (std::size_t a = 0; a < artificial.size(); ++a)
+    {
+        viscosities_[a] += artificial[a];
+    }
+    return viscosities_;
+}
+
+
+template<int dim>
 const Foam::stableStep& Foam::gasSolver<dim>::stable()
 {
     if (!stableIsUpToDate_)
     {
         shockCapturing_->correct(geometry_, state_);
+        if (rates_.viscous.valid())
+        {
+            rates_.viscous->correct(geometry_, state_);
+        }
         if (geometry_.edges().sweep)
         {
             rates_.sumSpeeds(geometry_, state_);
@@ -271,7 +314,8 @@ const Foam::stableStep& Foam::gasSolver<dim>::stable()
         }
         stable_ = findStableStep
         (
-            geometry_, rates_.speed, shockCapturing_->nodalNu(), blockSteps_
+            geometry_, rates_.speed, viscosities(), blockSteps_,
+            shockCapturing_->limits()
         );
         stableIsUpToDate_ = true;
         if (zones_.waits())
@@ -344,6 +388,7 @@ void Foam::gasSolver<dim>::step(const scalar dt)
     // The artificial viscosity belongs to the state at the step's start
     stable();
     geometry_.active().copy(state_.rows, oldRows_);
+    boundary_.beginStep(state_.rows, stateTime_, dt);
 
     label bad = -1;
     OStringStream what;

@@ -11,7 +11,8 @@ Foam::blockStep Foam::findBlockStep
     const gasGeometry<dim>& geometry,
     const std::vector<double>& speed,
     const std::vector<double>& viscosity,
-    const activeParts::range& rows
+    const activeParts::range& rows,
+    const bool positive
 )
 {
     const sharedItems& exchange = geometry.mesh().exchange();
@@ -26,8 +27,9 @@ Foam::blockStep Foam::findBlockStep
         const double d =
             viscous ? viscosity[a]/geometry.nodeVolume(a) : 0;
 
-        // Root of (dt c)^2 + dt d = 1, eq. (G12)
-        const double dt = 2/(d + std::sqrt(d*d + 4*c*c));
+        // Root of (dt c)^2 + dt d = 1, eq. (G12), or of dt c + dt d = 1
+        const double dt =
+            positive ? 1/(c + d) : 2/(d + std::sqrt(d*d + 4*c*c));
         if (dt < result.deltaT)
         {
             result.deltaT = dt;
@@ -52,7 +54,8 @@ Foam::stableStep Foam::findStableStep
     const gasGeometry<dim>& geometry,
     const std::vector<double>& speed,
     const std::vector<double>& viscosity,
-    std::vector<blockStep>& blocks
+    std::vector<blockStep>& blocks,
+    const bool positive
 )
 {
     const feMesh& mesh = geometry.mesh();
@@ -67,8 +70,10 @@ Foam::stableStep Foam::findStableStep
     {
         if (!active.blockAsleep(b))
         {
-            blocks[b] =
-                findBlockStep(geometry, speed, viscosity, active.rows(b));
+            blocks[b] = findBlockStep
+            (
+                geometry, speed, viscosity, active.rows(b), positive
+            );
         }
         const blockStep& block = blocks[b];
         if (block.deltaT < result.deltaT)
@@ -122,20 +127,23 @@ namespace Foam
         const gasGeometry<1>&,
         const std::vector<double>&,
         const std::vector<double>&,
-        std::vector<blockStep>&
+        std::vector<blockStep>&,
+        const bool
     );
     template stableStep findStableStep<2>
     (
         const gasGeometry<2>&,
         const std::vector<double>&,
         const std::vector<double>&,
-        std::vector<blockStep>&
+        std::vector<blockStep>&,
+        const bool
     );
     template stableStep findStableStep<3>
     (
         const gasGeometry<3>&,
         const std::vector<double>&,
         const std::vector<double>&,
-        std::vector<blockStep>&
+        std::vector<blockStep>&,
+        const bool
     );
 }

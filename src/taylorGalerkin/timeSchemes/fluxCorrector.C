@@ -75,7 +75,10 @@ void Foam::fluxCorrector<dim>::step
             label(bad), s[0], gasDynamics::pressure<dim>(state.eos, s)
         };
     }
-    boundary.constrainRates(sum_);
+    if (consistentMass)
+    {
+        boundary.constrainRates(sum_, dt);
+    }
 
     using place = gasKernel::collectedPlace;
     for (const activeParts::range& r : active.edges())
@@ -91,6 +94,17 @@ void Foam::fluxCorrector<dim>::step
     (
         data(collected_) + place::nSums, place::size,
         place::size - place::nSums
+    );
+
+    // Where a wall holds the temperature the bounds of internal energy are
+    // those of the pressure, which density follows
+    boundary.noSlip().atTemperature
+    (
+        [&](const label a)
+        {
+            double* row = data(collected_) + place::size*a;
+            row[place::rhoBound] = row[place::rhoBound + 1] = GREAT;
+        }
     );
 
     for (const activeParts::range& r : active.nodes())

@@ -88,6 +88,10 @@ void Foam::gasRates<dim>::compute
     sumEdges(geometry, state);
     boundary.addFluxes(state, 1, rate);
     boundary.addSources(state, 1, rate);
+    if (viscous.valid())
+    {
+        viscous->addPresent(rate);
+    }
     boundary.closeForce(state, rate);
     const sharedItems& exchange = geometry.mesh().exchange();
     exchange.sum(data(rate), rowSize, n + dim);
@@ -102,9 +106,7 @@ void Foam::gasRates<dim>::compute
         );
     }
     boundary.constrainRates(rate);
-
-    // As if the gas went on behind a wall, mirrored
-    boundary.constrainAtWalls(difference);
+    boundary.constrainDifferences(difference);
     hasSums_ = false;
 }
 

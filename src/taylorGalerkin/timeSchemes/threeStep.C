@@ -230,6 +230,10 @@ void Foam::threeStep<dim>::step
     std::fill(residual_.begin(), residual_.end(), uniformRow(0));
     boundary.addFluxes(state, dt, residual_);
     boundary.addSources(state, dt, residual_);
+    if (rates.viscous.valid())
+    {
+        rates.viscous->addHalfStep(geometry, state, rates.rate, dt, residual_);
+    }
 
     // Momentum, with the walls' normal velocity, so that the density step
     // sees no flux through them

@@ -57,7 +57,7 @@ void Foam::twoStep<dim>::viscousStep
     const gasGeometry<dim>& geometry,
     const gasBoundary<dim>& boundary,
     const shockCapturing<dim>& capturing,
-    const gasRates<dim>& rates,
+    gasRates<dim>& rates,
     gasState<dim>& state,
     const double dt
 )
@@ -92,6 +92,10 @@ void Foam::twoStep<dim>::viscousStep
     }
     boundary.addFluxes(state, dt, residual_);
     boundary.addSources(state, dt, residual_);
+    if (rates.viscous.valid())
+    {
+        rates.viscous->addHalfStep(geometry, state, rates.rate, dt, residual_);
+    }
     exchange.sum(data(residual_), rowSize, n);
 
     auto forActive = [&](auto&& visit)
@@ -122,7 +126,7 @@ void Foam::twoStep<dim>::viscousStep
                 );
             }
         });
-        boundary.constrainRates(change_);
+        boundary.constrainRates(change_, dt);
     };
     divide(residual_);
 
@@ -169,10 +173,22 @@ void Foam::twoStep<dim>::step
 )
 {
     rates.compute(geometry, boundary, state, dt);
+    if (rates.viscous.valid())
+    {
+        // The boundary's fluxes are set at its own nodes only
+        std::fill(boundarySum_.begin(), boundarySum_.end(), uniformRow(0));
+    }
     boundary.halfStepFluxes(state, rates.rate, dt, boundarySum_);
 
     if (corrector_.valid())
     {
+        if (rates.viscous.valid())
+        {
+            rates.viscous->addExcess
+            (
+                geometry, state, rates.rate, dt, boundarySum_
+            );
+        }
         corrector_().step
         (
             geometry, boundary, rates, state, consistent_, dt, boundarySum_

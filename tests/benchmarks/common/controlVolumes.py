@@ -5,8 +5,8 @@
     volumes.means(function)      # (k, nodes) and (k, cells)
 
 cells: corners of tetrahedra (m, 4), of quadrilaterals in the plane z = 0
-(m, 4, counterclockwise) with plane=True, or of hexahedra (m, 8, in the order of
-OpenFOAM). A node's control volume is weighted by its (bi-, tri-) linear shape
+(m, 4, counterclockwise) with plane=True, or of hexahedra (m, 8, in OpenFOAM's
+order). A node's control volume is weighted by its (bi-, tri-) linear shape
 function N_a. Integrals are sums over 4 points in each direction of a
 quadrilateral or hexahedron, and over 4 points in each of the 8 parts of a
 tetrahedron whose edges are cut in half.
@@ -16,8 +16,8 @@ import numpy as np
 CHUNK = 20000  # cells at a time
 
 # source: Gauss-Legendre with two points on each half of [0, 1]; tetrahedra:
-# the four points of degree 2, A. H. Stroud, Approximate Calculation of Multiple
-# Integrals (1971), T3: 2-1
+# the four points of degree 2, A. H. Stroud, Approximate Calculation of
+# Multiple Integrals (1971), T3: 2-1
 GAUSS = 0.5 * (np.array([[0], [1]]) + 0.5 + np.array([-1, 1]) / np.sqrt(12))
 LINE = GAUSS.ravel()
 NEAR, REST = 0.5854101966249685, 0.1381966011250105
@@ -97,3 +97,14 @@ class ControlVolumes:
     def means(self, function):
         nodes, cells = self.integrals(function)
         return nodes / self.nodes, cells / self.cellVolumes
+
+    def fromCells(self, values):
+        """Means over the nodes' control volumes of values constant in each
+        cell; each corner has the same share of a cell (exact for simplices
+        and parallelepipeds)."""
+        corners = self.cells.shape[1]
+        share = np.repeat(self.cellVolumes / corners, corners)
+        sums = [
+            np.bincount(self.cells.ravel(), weights, len(self.points))
+            for weights in (share * np.repeat(values, corners), share)]
+        return sums[0] / sums[1]

@@ -55,9 +55,13 @@ def compiled(source, program, *options):
     return program
 
 
+def triad(folder):
+    """triad.cpp, compiled into the folder."""
+    return compiled(Path(__file__).parent / "triad.cpp", folder / "triad")
+
+
 def bandwidth(folder):
-    """GB/s of one core, see triad.cpp; compiled into the folder."""
-    program = compiled(Path(__file__).parent / "triad.cpp", folder / "triad")
-    said = subprocess.run([str(program)], stdout=subprocess.PIPE, check=True,
-                          universal_newlines=True).stdout
+    """GB/s of one core, see triad.cpp."""
+    said = subprocess.run([str(triad(folder))], stdout=subprocess.PIPE,
+                          check=True, universal_newlines=True).stdout
     return float(said.split()[0])

@@ -14,14 +14,30 @@ def marks(name):
     return f"<!-- {name}: begin -->", f"<!-- {name}: end -->"
 
 
-def replaceBetween(page, name, text):
-    """Replace what page (a path) has between the marks of this name."""
+def parts(page, name):
+    """The page's text before and after the marks of this name."""
     begin, end = marks(name)
-    old = page.read_text()
+    try:
+        old = page.read_text()
+    except OSError as problem:
+        raise NoMarks(problem) from None
     if old.count(begin) != 1 or old.count(end) != 1:
         raise NoMarks(f"{page}: not one '{begin}' and one '{end}'")
     before, rest = old.split(begin)
-    after = rest.split(end)[1]
+    return before, rest.split(end)[1]
+
+
+def expectMarks(page, *names):
+    """Stop before the runs rather than after them; page may be None."""
+    for name in names:
+        if page:
+            parts(page, name)
+
+
+def replaceBetween(page, name, text):
+    """Replace what page (a path) has between the marks of this name."""
+    before, after = parts(page, name)
+    begin, end = marks(name)
     page.write_text(f"{before}{begin}\n{text.strip()}\n{end}{after}")
 
 

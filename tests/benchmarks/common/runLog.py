@@ -26,7 +26,8 @@ class RunLog:
                  re.findall(r"ExecutionTime = (\S+) s", text)]
         self.steps = len(marks)
         if self.steps < 3:
-            raise TooShort(f"{self.steps} steps, 3 are needed:\n{text[-2000:]}")
+            raise TooShort(
+                f"{self.steps} steps, 3 are needed:\n{text[-2000:]}")
         self.perStep = max(marks[-2] - marks[0], TICK) / (self.steps - 2)
         self.seconds = self.perStep * self.steps
 

@@ -3,13 +3,13 @@
     mesh = tetrahedra((40, 4, 4), (1, 0.1, 0.1), shift=0.15)
 
 A box of cubes is cut into five tetrahedra each, with diagonals that alternate,
-so that faces match. The points inside are then moved at random by up to `shift`
-of a cube's side in each direction (seeded): at 0 the tetrahedra are regular.
+so that faces match. The points inside are then moved at random by up to
+`shift` of a cube's side in each direction (seeded).
 Patches: left, right; bottom, top; back, front.
 """
 import numpy as np
 
-# The two ways to cut a cube, whose corner (i, j, k) has the number i + 2 j + 4 k
+# The two ways to cut a cube; its corner (i, j, k) has the number i + 2 j + 4 k
 EVEN = np.array([
     (0, 1, 2, 4), (3, 2, 1, 7), (5, 4, 7, 1), (6, 7, 4, 2), (1, 2, 4, 7)])
 ODD = np.array([
@@ -58,7 +58,8 @@ class TetMesh:
                    f"{len(patches)}\n(\n{text})\n", kind="polyBoundaryMesh")
 
     def facesOfCells(self):
-        """Faces in OpenFOAM's order; owner, neighbour; (name, faces, start)."""
+        """Faces in OpenFOAM's order, owner, neighbour, and the patches:
+        (name, faces, start)."""
         cells = len(self.tets)
         all_ = self.tets[:, FACES].reshape(-1, 3)
         cell = np.repeat(np.arange(cells), 4)

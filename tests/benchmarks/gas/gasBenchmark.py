@@ -5,19 +5,19 @@ r"""Processor time of the gas per node and step and per simplex and step.
 
 For each scheme, on meshes of tetrahedra at rest and moving, beside OpenFOAM's
 rhoCentralFoam (rhoCentralDyMFoam when they move) on the same polyMesh, the
-default scheme beside rhoCentralFoam on hexahedra as well, and beside the memory
-bandwidth. Writes the tables into the page, by default doc/performance.md.
+default scheme beside rhoCentralFoam on hexahedra as well, and beside the
+memory bandwidth. Writes the tables into the page, by default
+doc/performance.md.
 
     <nodes>       sizes of the meshes, default 50000 400000
-    -quick        a tiny mesh, only to see that everything works; no page unless
-                  it is named
+    -quick        a tiny mesh, only to see that everything works; no page
+                  unless it is named
     -repeat <n>   median of n runs, default 3
     -peerUpTo <nodes>   no run of the peer on larger meshes (on tetrahedra it
                   takes about 16 kB of memory per node), default 400000
     -page <file>  another page
     -noPage       print only
 """
-import argparse
 import sys
 import tempfile
 from pathlib import Path
@@ -29,7 +29,8 @@ sys.path[:0] = [str(PROJECT / "tests" / folder) for folder in (
     "benchmarks/gas")]
 
 from machine import MissingProgram, bandwidth, facts, load, need  # noqa: E402
-from page import NoMarks, replaceBetween, table  # noqa: E402
+from options import Parser  # noqa: E402
+from page import NoMarks, expectMarks, replaceBetween, table  # noqa: E402
 from scheme import CHEAPEST, COMBINATIONS, DEFAULT  # noqa: E402
 from stepCosts import UnitCube  # noqa: E402
 
@@ -38,24 +39,15 @@ MOTION = {False: "at rest", True: "moving"}
 
 
 def parsed(words):
-    parser = argparse.ArgumentParser(
-        prog="run", usage=__doc__, allow_abbrev=False)
+    parser = Parser(__doc__)
     parser.add_argument("sizes", nargs="*", type=int, metavar="nodes")
-    parser.add_argument("-quick", action="store_true")
-    parser.add_argument("-repeat", type=int)
     parser.add_argument("-peerUpTo", type=int, default=400000)
-    parser.add_argument("-page", type=Path)
-    parser.add_argument("-noPage", action="store_true")
-    options = parser.parse_args(words)
+    options = parser.parse(words, repeat=3)
+    parser.choosePage(options, usual=True)
     options.sizes = sorted(options.sizes) or (
         [300] if options.quick else [50000, 400000])
-    options.repeat = options.repeat or (1 if options.quick else 3)
     options.schemes = [DEFAULT, *(
         [CHEAPEST, COMBINATIONS[-1]] if options.quick else COMBINATIONS)]
-    if options.noPage:
-        options.page = None
-    elif options.page is None and not options.quick:
-        options.page = PROJECT / "doc" / "performance.md"
     return options
 
 
@@ -171,6 +163,7 @@ def main(words):
     options = parsed(words)
     results = Results(options)
     try:
+        expectMarks(options.page, "gas")
         need("shockShellFoam", "blockMesh", *PEERS.values())
         with tempfile.TemporaryDirectory() as folder:
             memory = bandwidth(Path(folder))

@@ -56,10 +56,12 @@ class Comparison:
     """One mesh. Both codes start from the means of the initial state over
     their control volumes and are compared with those of the exact one."""
 
-    def __init__(self, problem, size, folder, repeat, capturing):
-        self.problem, self.size, self.repeat = problem, size, repeat
+    def __init__(self, problem, size, folder, options):
+        """options: with repeat, and capturing and maxCo of ours."""
+        self.problem, self.size, self.options = problem, size, options
         self.case = BenchmarkCase(folder / OURS, problem.mesh(size), GAMMA)
-        self.case.write("system/feSchemes", entries(TIME_SCHEME, capturing))
+        self.case.write("system/feSchemes", entries(
+            TIME_SCHEME, options.capturing))
         self.folder = folder
         self.volumes = ControlVolumes(
             self.case.x, self.case.mesh.cells, problem.plane)
@@ -82,7 +84,7 @@ class Comparison:
 
     def measured(self, run):
         """The run of median time; run: does one, returns its log."""
-        return middle([run() for _ in range(self.repeat)])
+        return middle([run() for _ in range(self.options.repeat)])
 
     def ours(self):
         values, case = self.initial[0], self.case
@@ -97,14 +99,17 @@ class Comparison:
         control, places = self.gauges(case.x, "pointProbes")
 
         def run():
-            case.runTo(self.problem.end, timeout=7200, **control)
+            case.runTo(self.problem.end, timeout=7200,
+                       maxCo=self.options.maxCo, **control)
             return RunLog(case.log)
 
         log = self.measured(run)
-        return self.finish(
+        run = self.finish(
             OURS, log, self.volumes.nodes, self.exact[0],
             {n: case.result(n) for n in ("rho", "U", "p")},
             places, case, "gauges/0/p.dat")
+        run.errors["rhoAtNodes"] = run.errors["rho"]
+        return run
 
     def peer(self):
         case = PeerCase(self.folder / PEER, self.case)
@@ -119,10 +124,16 @@ class Comparison:
 
         log = self.measured(run)
         p, T = case.cellField("p"), case.cellField("T")
-        return self.finish(
+        run = self.finish(
             PEER, log, self.volumes.cellVolumes, self.exact[1],
             {"rho": p / T, "U": case.cellField("U"), "p": p},
             places, case, "gauges/0/p")
+        # Where ours is measured
+        atNodes = self.volumes.fromCells(p / T)
+        run.errors["rhoAtNodes"] = np.average(
+            abs(atNodes - self.exact[0][0]), weights=self.volumes.nodes
+        ) / self.problem.scales[0]
+        return run
 
     def finish(self, code, log, volumes, exact, values, places, case, file):
         found = errors(self.problem, volumes, exact, values)

@@ -1,7 +1,8 @@
 r"""Processor time against error, beside OpenFOAM's rhoCentralFoam.
 
     tests/benchmarks/speedError/run [<problem> ...] [-quick] [-repeat <n>]
-        [-capturing <name>] [-page <file>] [-noPage]
+        [-sizes <n> ...] [-capturing <name>] [-maxCo <number>]
+        [-page <file>] [-noPage]
 
 Runs each problem on the same polyMesh with both codes, three meshes each and
 one more for ours, and writes table and picture of it into the page, by default
@@ -11,12 +12,13 @@ doc/performance.md with pictures/ beside it.
     -quick        tiny meshes, only to see that everything works; no page
                   unless it is named
     -repeat <n>   median of n runs, default 3
-    -capturing <name>   another shockCapturing than the default; no page unless
-                  it is named
+    -sizes <n> ...      other meshes, with both codes
+    -capturing <name>   another shockCapturing of ours
+    -maxCo <number>     another Courant number of ours
+                  (with one of these three: no page unless it is named)
     -page <file>  another page
     -noPage       print only
 """
-import argparse
 import sys
 import tempfile
 from pathlib import Path
@@ -29,49 +31,47 @@ sys.path[:0] = [str(PROJECT / "tests" / folder) for folder in (
 
 from comparison import OURS, PEER, Comparison  # noqa: E402
 from machine import MissingProgram, facts, load, need  # noqa: E402
-from page import NoMarks, replaceBetween, table  # noqa: E402
+from options import Parser  # noqa: E402
+from page import NoMarks, expectMarks, replaceBetween, table  # noqa: E402
 from problems import PROBLEMS  # noqa: E402
 from sameError import Front, interval, levels  # noqa: E402
-from scheme import SHOCK_CAPTURING, TIME_SCHEME  # noqa: E402
+from scheme import MAX_CO, SHOCK_CAPTURING, TIME_SCHEME  # noqa: E402
 
 QUANTITIES = {
     "rho": "L1 of rho", "p": "L1 of p", "u": "L1 of u",
     "peak": "peak at the gauges",
+    "rhoAtNodes": "L1 of rho, both at nodes",
 }
 
 
 def parsed(words):
-    parser = argparse.ArgumentParser(
-        prog="run", usage=__doc__, allow_abbrev=False)
+    parser = Parser(__doc__)
     parser.add_argument("problems", nargs="*", metavar="problem")
-    parser.add_argument("-quick", action="store_true")
-    parser.add_argument("-repeat", type=int)
-    parser.add_argument("-capturing", default=SHOCK_CAPTURING)
-    parser.add_argument("-page", type=Path)
-    parser.add_argument("-noPage", action="store_true")
-    options = parser.parse_args(words)
+    parser.add_argument("-sizes", type=int, nargs="+")
+    parser.add_argument("-capturing")
+    parser.add_argument("-maxCo", type=float)
+    options = parser.parse(words, repeat=3)
     for name in options.problems:
         if name not in PROBLEMS:
             parser.error(f"unknown problem '{name}'; valid: "
                          + " ".join(PROBLEMS))
     options.problems = options.problems or list(PROBLEMS)
-    options.repeat = options.repeat or (1 if options.quick else 3)
-    if options.noPage:
-        options.page = None
-    elif options.page is None and not options.quick \
-            and options.capturing == SHOCK_CAPTURING:
-        options.page = PROJECT / "doc" / "performance.md"
+    parser.choosePage(options, usual=not (
+        options.sizes or options.capturing or options.maxCo))
+    options.capturing = options.capturing or SHOCK_CAPTURING
+    options.maxCo = options.maxCo or MAX_CO
     return options
 
 
 def runAll(problem, options, folder):
     """Runs of both codes on all meshes, coarse to fine."""
     runs = []
-    common = problem.quick if options.quick else problem.sizes
-    finer = () if options.quick else problem.finer
+    common, finer = problem.sizes, problem.finer
+    if options.quick or options.sizes:
+        common, finer = options.sizes or problem.quick, ()
     for size in (*common, *finer):
         pair = Comparison(problem, size, folder / problem.name / str(size),
-                          options.repeat, options.capturing)
+                          options)
         codes = (pair.peer, pair.ours) if size in common else (pair.ours,)
         for code in codes:
             runs.append(code())
@@ -92,16 +92,28 @@ def of(runs, code):
 
 
 def sameErrors(runs, quantity):
-    """Table of the times for the errors of the peer."""
+    """The times of both for the errors of the peer."""
     ours, peer = (
         Front([r.seconds for r in of(runs, code)],
               [r.errors[quantity] for r in of(runs, code)])
         for code in (OURS, PEER))
+    return levels(ours, peer)
+
+
+def tableOfTimes(runs, quantity):
     return table(
         (f"same error, {QUANTITIES[quantity]}", f"{PEER} [s]", f"{OURS} [s]",
          "ratio"),
         [(level.error, level.peer, interval(*level.ours),
-          interval(*level.ratio)) for level in levels(ours, peer)])
+          interval(*level.ratio)) for level in sameErrors(runs, quantity)])
+
+
+def summary(runs, quantity):
+    """One sentence."""
+    ratios = ", ".join(interval(*level.ratio)
+                       for level in sameErrors(runs, quantity))
+    return (f"**{PEER} takes {ratios} times our time for its errors"
+            f" ({QUANTITIES[quantity]}, coarse to fine).**")
 
 
 def report(problem, runs, options):
@@ -115,12 +127,14 @@ def report(problem, runs, options):
     head = ("code", "n", "nodes or cells", "steps", "time [s]",
             "us per node (cell) and step", *(QUANTITIES[n] for n in names))
     parts = [
+        summary(runs, names[0]),
         f"Reference: {problem.error}. `{TIME_SCHEME}`,"
-        f" `{options.capturing}`; {facts()}; median of {options.repeat}"
-        f" run(s); load of the machine at the end {load():.1f}.",
+        f" `{options.capturing}`, `maxCo` {options.maxCo:g}; {facts()}; median"
+        f" of {options.repeat} run(s); load of the machine at the end"
+        f" {load():.1f}.",
         table(head, rows),
     ]
-    parts += [sameErrors(runs, name) for name in names]
+    parts += [tableOfTimes(runs, name) for name in names]
     return "\n\n".join(parts)
 
 
@@ -159,6 +173,8 @@ def write(problem, runs, text, page):
 def main(words):
     options = parsed(words)
     try:
+        expectMarks(options.page,
+                    *(f"speedError {name}" for name in options.problems))
         need(OURS, PEER, "blockMesh")
         for name in options.problems:
             problem = PROBLEMS[name]

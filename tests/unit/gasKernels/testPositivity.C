@@ -58,6 +58,7 @@ TYPED_TEST(Positivity, notFarBeyond)
 }
 
 
+// The bounds are those of (G49) with (G56)
 TYPED_TEST(Positivity, limitedDensityStaysWithinItsBounds)
 {
     constexpr int dim = TypeParam::value;
@@ -85,9 +86,31 @@ TYPED_TEST(Positivity, limitedDensityStaysWithinItsBounds)
             high[i] = std::max(high[i], r.low[rowSize*j]);
             high[j] = std::max(high[j], r.low[rowSize*i]);
         }
+        // The least and greatest curvature of a neighbourhood
+        std::vector<double> least(s.nNodes), greatest(s.nNodes);
+        for (int a = 0; a < s.nNodes; ++a)
+        {
+            least[a] = greatest[a] = r.difference[rowSize*a];
+        }
+        for (std::size_t e = 0; e < s.first.size(); ++e)
+        {
+            const int i = s.first[e], j = s.second[e];
+            if (i < s.nNodes)
+            {
+                const double ofI = r.difference[rowSize*i];
+                const double ofJ = r.difference[rowSize*j];
+                least[i] = std::min(least[i], ofJ);
+                least[j] = std::min(least[j], ofI);
+                greatest[i] = std::max(greatest[i], ofJ);
+                greatest[j] = std::max(greatest[j], ofI);
+            }
+        }
+
         double moved = 0;
         for (int a = 0; a < s.nNodes; ++a)
         {
+            low[a] -= std::min(std::max(2*least[a], 0.0), 0.5*low[a]);
+            high[a] += std::max(-2*greatest[a], 0.0);
             const double change = r.sum[rowSize*a]/s.volume[a];
             const double rho = r.low[rowSize*a] + change;
             EXPECT_GE(rho, low[a]*(1 - 1e-12));

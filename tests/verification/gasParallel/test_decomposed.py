@@ -25,6 +25,13 @@ TOLERANCE = 1e-10
 SIDES = {
     "left": "far", "right": "far", "bottom": "wall", "top": "wall",
 }
+# Gas that comes in, the more the later
+INFLOW = {
+    name: f"type farField; uniformValue table ((0 {start}) ({END} {end}));"
+    for name, start, end in (
+        ("p", "1", "1.5"), ("U", "(0.3 0.1 0)", "(0.6 0.2 0)"), ("T", "1", "1.2")
+    )
+}
 # The mesh follows the right end, which oscillates
 MOVING = {
     "right": "type oscillatingDisplacement; amplitude (0.1 0 0); omega 9;"
@@ -45,8 +52,8 @@ def makeCase(folder, moving):
     if not moving:
         mesh.cyclic("back", "front")
     case = BenchmarkCase(folder, mesh)
-    case.start(blast, dict(SIDES, **({"back": "wall", "front": "wall"}
-                                     if moving else {})))
+    case.start(blast, dict(SIDES, **(
+        {"back": "wall", "front": "wall"} if moving else {"left": INFLOW})))
     if moving:
         case.move("pointDisplacement", MOVING)
     case.write("system/controlDict", f"""

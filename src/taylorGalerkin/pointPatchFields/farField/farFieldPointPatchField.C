@@ -4,6 +4,21 @@
 \*---------------------------------------------------------------------------*/
 #include "farFieldPointPatchField.H"
 #include "pointPatchFieldMapper.H"
+#include "Time.H"
+
+template<class Type>
+Foam::autoPtr<Foam::Function1<Type>>
+Foam::farFieldPointPatchField<Type>::copied
+(
+    const farFieldPointPatchField<Type>& ptf
+)
+{
+    return
+        ptf.varies()
+      ? autoPtr<Function1<Type>>(ptf.uniformValue_->clone().ptr())
+      : autoPtr<Function1<Type>>();
+}
+
 
 template<class Type>
 Foam::farFieldPointPatchField<Type>::farFieldPointPatchField
@@ -26,8 +41,18 @@ Foam::farFieldPointPatchField<Type>::farFieldPointPatchField
 )
 :
     pointPatchField<Type>(p, iF, dict),
-    outer_("value", dict, p.size())
-{}
+    outer_(p.size(), Zero)
+{
+    if (dict.found("uniformValue"))
+    {
+        uniformValue_ = Function1<Type>::New("uniformValue", dict);
+        setTime(this->db().time().value());
+    }
+    else
+    {
+        outer_ = Field<Type>("value", dict, p.size());
+    }
+}
 
 
 template<class Type>
@@ -40,7 +65,8 @@ Foam::farFieldPointPatchField<Type>::farFieldPointPatchField
 )
 :
     pointPatchField<Type>(ptf, p, iF, mapper),
-    outer_(ptf.outer_, mapper)
+    outer_(ptf.outer_, mapper),
+    uniformValue_(copied(ptf))
 {}
 
 
@@ -52,8 +78,19 @@ Foam::farFieldPointPatchField<Type>::farFieldPointPatchField
 )
 :
     pointPatchField<Type>(ptf, iF),
-    outer_(ptf.outer_)
+    outer_(ptf.outer_),
+    uniformValue_(copied(ptf))
 {}
+
+
+template<class Type>
+void Foam::farFieldPointPatchField<Type>::setTime(const scalar time)
+{
+    if (varies())
+    {
+        outer_ = uniformValue_->value(this->db().time().timeToUserTime(time));
+    }
+}
 
 
 template<class Type>
@@ -85,5 +122,9 @@ template<class Type>
 void Foam::farFieldPointPatchField<Type>::write(Ostream& os) const
 {
     pointPatchField<Type>::write(os);
+    if (varies())
+    {
+        uniformValue_->writeData(os);
+    }
     outer_.writeEntry("value", os);
 }
