@@ -4,8 +4,10 @@
 \*---------------------------------------------------------------------------*/
 #include "feMesh.H"
 #include "globalNodes.H"
+#include "bandCompression.H"
 #include "edge.H"
 #include "Map.H"
+#include "UIndirectList.H"
 
 #include <algorithm>
 
@@ -113,7 +115,7 @@ void Foam::feMesh::findNodes()
         )
     );
 
-    // Nodes in the order of their first mesh point, which is a station
+    // A node's representative is its first mesh point, which is a station
     Map<label> nodeOfLabel(2*global.size());
     nodeOfPoint_.setSize(global.size());
     DynamicList<label> representative(global.size());
@@ -130,7 +132,48 @@ void Foam::feMesh::findNodes()
 
     pointOfNode_.transfer(representative);
     globalNode_.transfer(labels);
+    orderNodes();
     nodes_ = gather(mesh_.points());
+}
+
+
+void Foam::feMesh::orderNodes()
+{
+    // Neighbours along the mesh's edges, as bandCompression reads them
+    auto forPairs = [&](auto&& visit)
+    {
+        for (const edge& e : mesh_.edges())
+        {
+            const label a = nodeOfPoint_[e[0]], b = nodeOfPoint_[e[1]];
+            if (a != b)
+            {
+                visit(a, b);
+                visit(b, a);
+            }
+        }
+    };
+    labelList start(nNodes() + 1, Zero);
+    forPairs([&](const label a, label) { ++start[a + 1]; });
+    for (label i = 0; i < nNodes(); ++i)
+    {
+        start[i + 1] += start[i];
+    }
+    labelList neighbours(start[nNodes()]);
+    labelList next(start);
+    forPairs
+    (
+        [&](const label a, const label b) { neighbours[next[a]++] = b; }
+    );
+
+    const labelList order(bandCompression(neighbours, start));
+    labelList place(nNodes());
+    UIndirectList<label>(place, order) = identity(nNodes());
+    for (label& nodei : nodeOfPoint_)
+    {
+        nodei = place[nodei];
+    }
+    pointOfNode_ = labelList(UIndirectList<label>(pointOfNode_, order));
+    globalNode_ = labelList(UIndirectList<label>(globalNode_, order));
 }
 
 

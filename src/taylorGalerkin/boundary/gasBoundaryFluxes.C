@@ -33,12 +33,17 @@ void Foam::gasBoundary<dim>::addWallFluxes
 ) const
 {
     constexpr int pressure = gasKernel::place<dim>::p;
+    const activeParts& active = geometry_.active();
     for (const fePatch* patch : walls_)
     {
         const label number = geometry_.patchNumber(*patch);
         forAll(patch->facetSimplex, i)
         {
             const label* nodes = &patch->facets[dim*i];
+            if (active.asleep(nodes, dim))
+            {
+                continue;
+            }
             const auto& facet = geometry_.facet(number, i);
             double p[dim];
             for (int b = 0; b < dim; ++b)
@@ -85,12 +90,17 @@ void Foam::gasBoundary<dim>::addOpenFluxes
 ) const
 {
     constexpr int pressure = gasKernel::place<dim>::p;
+    const activeParts& active = geometry_.active();
     for (const fePatch* patch : open_)
     {
         const label number = geometry_.patchNumber(*patch);
         forAll(patch->facetSimplex, i)
         {
             const label* nodes = &patch->facets[dim*i];
+            if (active.asleep(nodes, dim))
+            {
+                continue;
+            }
             const auto& facet = geometry_.facet(number, i);
 
             auto flux = [&](const int b, const Vec& S) -> State
@@ -135,6 +145,7 @@ void Foam::gasBoundary<dim>::addFarFieldFluxes
     gasRows& sum
 ) const
 {
+    const activeParts& active = geometry_.active();
     forAll(farField_, patchi)
     {
         const fePatch& patch = *farField_[patchi];
@@ -142,6 +153,10 @@ void Foam::gasBoundary<dim>::addFarFieldFluxes
         forAll(patch.facetSimplex, i)
         {
             const label* nodes = &patch.facets[dim*i];
+            if (active.asleep(nodes, dim))
+            {
+                continue;
+            }
             const auto& facet = geometry_.facet(number, i);
             for (int a = 0; a < dim; ++a)
             {
@@ -190,6 +205,7 @@ void Foam::gasBoundary<dim>::closeForce
 ) const
 {
     constexpr int force = gasKernel::place<dim>::force;
+    const activeParts& active = geometry_.active();
     for (const auto* patches : {&walls_, &open_, &farField_})
     {
         for (const fePatch* patch : *patches)
@@ -198,6 +214,10 @@ void Foam::gasBoundary<dim>::closeForce
             forAll(patch->facetSimplex, i)
             {
                 const label* nodes = &patch->facets[dim*i];
+                if (active.asleep(nodes, dim))
+                {
+                    continue;
+                }
                 const auto& facet = geometry_.facet(number, i);
                 for (int a = 0; a < dim; ++a)
                 {
@@ -243,9 +263,14 @@ void Foam::gasBoundary<dim>::halfStepFluxes
     }
     for (const label node : boundaryNodes_)
     {
-        sum[node] = uniformRow(0);
         gasRow& half = half_[node];
         half = state.rows[node];
+        if (geometry_.active().asleep(node))
+        {
+            // May share a facet with nodes that are awake
+            continue;
+        }
+        sum[node] = uniformRow(0);
         Eigen::Map<State> s(half.v);
         s += 0.5*dt*Eigen::Map<const State>(rate[node].v);
         const double p = gasDynamics::pressure<dim>(eos_, s);
@@ -273,6 +298,63 @@ void Foam::gasBoundary<dim>::halfStepFluxes
             addWeight(state, rate[a], 0.5*dt*dt*meanVolume(a), sum[a]);
         }
     }
+}
+
+
+template<int dim>
+Foam::labelList Foam::gasBoundary<dim>::acting
+(
+    const gasState<dim>& state
+) const
+{
+    // Fluxes of the states as they are and of half a step that changes nothing
+    const gasRows rate(state.rows.size(), uniformRow(0));
+    gasRows sum(rate), excess(rate);
+    addFluxes(state.rows, state.pRef, 1, sum);
+    halfStepFluxes(state, rate, 1, excess);
+
+    DynamicList<label> nodes;
+    for (const label node : boundaryNodes_)
+    {
+        bool acts = false;
+        for (int k = 0; k < dim + 2; ++k)
+        {
+            acts = acts || sum[node][k] != 0 || excess[node][k] != 0;
+        }
+        if (acts)
+        {
+            nodes.append(node);
+        }
+    }
+
+    // Values that may change with time
+    for (const fePatch* patch : farField_)
+    {
+        if (outerVaries_)
+        {
+            nodes.append(patch->nodes);
+        }
+    }
+    const auto& p = p_.boundaryField();
+    const auto& U = U_.boundaryField();
+    const auto& T = T_.boundaryField();
+    auto mark = [&](const auto& field, const labelUList& patches)
+    {
+        for (const label patchi : patches)
+        {
+            if (field[patchi].type() != "fixedValue")
+            {
+                for (const label i : field[patchi].patch().meshPoints())
+                {
+                    nodes.append(geometry_.mesh().nodeOfPoint()[i]);
+                }
+            }
+        }
+    };
+    mark(p, fixedP_);
+    mark(U, fixedU_);
+    mark(T, fixedT_);
+    return labelList(std::move(nodes));
 }
 
 

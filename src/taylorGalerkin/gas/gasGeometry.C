@@ -85,6 +85,7 @@ void Foam::gasGeometry<dim>::selectEdges()
     {
         v->assign(padded, 0.0);
     }
+    active_ = activeParts(nRows_, first_);
 }
 
 

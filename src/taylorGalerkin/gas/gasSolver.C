@@ -10,6 +10,8 @@
 #include "PstreamReduceOps.H"
 #include "Time.H"
 
+#include <cmath>
+
 namespace
 {
 
@@ -85,6 +87,7 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
         pointMesh::New(mesh.poly()),
         dimensionedScalar(dimDensity, Zero)
     ),
+    zones_(geometry_, feSchemes_),
     properties_
     (
         caseDictionary
@@ -107,7 +110,10 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
     stableIsUpToDate_(false),
     stateTime_(mesh.poly().time().value())
 {
-    checkKeywords(feSchemes_, {"timeScheme", "shockCapturing"});
+    checkKeywords
+    (
+        feSchemes_, {"timeScheme", "shockCapturing", "quiescentZones"}
+    );
     if (transport_.isPresent())
     {
         rates_.viscous.reset
@@ -119,7 +125,21 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
         );
     }
     readGravity();
+    sortPoints();
     readState();
+    oldRows_ = state_.rows;
+    if (feSchemes_.get<word>("timeScheme") == "threeStep")
+    {
+        zones_.forbid("timeScheme threeStep has none");
+    }
+    if (transport_.isPresent())
+    {
+        zones_.forbid("the gas is viscous");
+    }
+    if (state_.hasGravity)
+    {
+        zones_.forbid("gravity acts everywhere");
+    }
 
     mesh_.report(Info);
     Info<< "Gas: "
@@ -174,6 +194,28 @@ void Foam::gasSolver<dim>::readGravity()
 
 
 template<int dim>
+void Foam::gasSolver<dim>::sortPoints()
+{
+    const labelList& nodeOfPoint = mesh_.nodeOfPoint();
+    firstPoint_.setSize(mesh_.nNodes() + 1, Zero);
+    for (const label a : nodeOfPoint)
+    {
+        ++firstPoint_[a + 1];
+    }
+    for (label a = 0; a < mesh_.nNodes(); ++a)
+    {
+        firstPoint_[a + 1] += firstPoint_[a];
+    }
+    labelList next(firstPoint_);
+    points_.setSize(nodeOfPoint.size());
+    forAll(nodeOfPoint, pointi)
+    {
+        points_[next[nodeOfPoint[pointi]]++] = pointi;
+    }
+}
+
+
+template<int dim>
 void Foam::gasSolver<dim>::readState()
 {
     for (label a = 0; a < mesh_.nNodes(); ++a)
@@ -190,7 +232,7 @@ void Foam::gasSolver<dim>::readState()
     boundary_.startAtWalls(state_.rows);
     boundary_.impose(state_.rows);
 
-    const label bad = state_.derive();
+    const label bad = state_.derive(geometry_.active());
     if (bad >= 0 && bad < mesh_.nNodes())
     {
         const label pointi = mesh_.pointOfNode()[bad];
@@ -201,13 +243,13 @@ void Foam::gasSolver<dim>::readState()
             << "    Change " << p_.objectPath() << ", T or U"
             << exit(FatalError);
     }
-    findReferencePressure();
+    findReferences();
     updateFields();
 }
 
 
 template<int dim>
-void Foam::gasSolver<dim>::findReferencePressure()
+void Foam::gasSolver<dim>::findReferences()
 {
     // The median: ambient gas fills at least half of most scenes
     std::vector<double> p(mesh_.nNodes());
@@ -225,6 +267,18 @@ void Foam::gasSolver<dim>::findReferencePressure()
         state_.pRef = p[p.size()/2];
     }
     reduce(state_.pRef, maxOp<scalar>());
+
+    // The least momentum that gas at its speed of sound has: (G80)
+    scalar least = GREAT;
+    for (label a = 0; a < mesh_.nNodes(); ++a)
+    {
+        least = min(least, state_.rho(a)*state_.soundSpeed(a));
+    }
+    reduce(least, minOp<scalar>());
+    int exponent;
+    std::frexp(least, &exponent);
+    state_.momentumScale = std::ldexp(1.5, exponent);
+    state_.derive(geometry_.active());
 }
 
 
@@ -263,12 +317,19 @@ const Foam::stableStep& Foam::gasSolver<dim>::stable()
         {
             // The sums that the step needs give the speeds as well
             rates_.sumEdges(geometry_, state_);
+            zones_.setSpeeds(rates_.speed);
         }
         stable_ = findStableStep
         (
-            geometry_, rates_.speed, viscosities(), shockCapturing_->limits()
+            geometry_, rates_.speed, viscosities(), blockSteps_,
+            shockCapturing_->limits()
         );
         stableIsUpToDate_ = true;
+        if (zones_.waits())
+        {
+            zones_.start(state_, boundary_, rates_.speed);
+            zones_.report(Info);
+        }
     }
     return stable_;
 }
@@ -326,7 +387,7 @@ void Foam::gasSolver<dim>::step(const scalar dt)
 {
     // The artificial viscosity belongs to the state at the step's start
     stable();
-    oldRows_ = state_.rows;
+    geometry_.active().copy(state_.rows, oldRows_);
     boundary_.beginStep(state_.rows, stateTime_, dt);
 
     label bad = -1;
@@ -359,13 +420,21 @@ void Foam::gasSolver<dim>::step(const scalar dt)
     geometry_.end();
     boundary_.impose(state_.rows);
 
-    bad = state_.derive();
+    for (const label node : boundary_.prescribed())
+    {
+        if (geometry_.active().asleep(node))
+        {
+            state_.derive(node);
+        }
+    }
+    bad = state_.derive(geometry_.active());
     if (bad >= 0)
     {
         what<< "rho = " << state_.rho(bad) << " kg/m3, p = "
             << state_.p(bad) << " Pa";
     }
     stopIfBad(bad, what.str(), dt);
+    zones_.update(state_, boundary_.prescribed());
     stateTime_ += dt;
     stableIsUpToDate_ = false;
 }
@@ -392,6 +461,14 @@ void Foam::gasSolver<dim>::advance
     const pointField& newNodes
 )
 {
+    const bool moves = newNodes != mesh_.nodes();
+    if (!returnReduce(moves, orOp<bool>()))
+    {
+        advance(dt);
+        return;
+    }
+    zones_.forbid("the mesh moves");
+
     // Viscosity and stable step belong to the mesh of the step's start
     stable();
     rates_.clear();
@@ -400,7 +477,7 @@ void Foam::gasSolver<dim>::advance
 
     // The walls' velocity has changed with the new step
     boundary_.constrainAtWalls(state_.rows);
-    const label bad = state_.derive();
+    const label bad = state_.derive(geometry_.active());
     stopIfBad(bad, "the wall's velocity leaves no physical state", dt);
     step(dt);
     boundary_.updateNormals();

@@ -10,7 +10,6 @@ template<int dim>
 void Foam::gasSolver<dim>::updateFields()
 {
     const gasDynamics::PerfectGas& eos = state_.eos;
-    const labelList& nodeOfPoint = mesh_.nodeOfPoint();
 
     // The whole value of a point, boundary points included
     auto& p = p_.primitiveFieldRef();
@@ -18,16 +17,25 @@ void Foam::gasSolver<dim>::updateFields()
     auto& T = T_.primitiveFieldRef();
     auto& rho = rho_.primitiveFieldRef();
 
-    forAll(nodeOfPoint, pointi)
+    for (const activeParts::range& r : geometry_.active().nodes())
     {
-        const label a = nodeOfPoint[pointi];
-        rho[pointi] = state_.rho(a);
-        p[pointi] = state_.p(a);
-        T[pointi] = eos.temperature(state_.p(a), state_.rho(a));
-        U[pointi] = mesh_.fullVector<dim>
-        (
-            state_.velocity(a), mesh_.poly().points()[pointi]
-        );
+        const label end = firstPoint_[min(label(r.to), mesh_.nNodes())];
+        for (label i = firstPoint_[r.from]; i < end; ++i)
+        {
+            const label pointi = points_[i];
+            const label a = mesh_.nodeOfPoint()[pointi];
+            rho[pointi] = state_.rho(a);
+            p[pointi] = state_.p(a);
+            T[pointi] = eos.temperature(state_.p(a), state_.rho(a));
+            U[pointi] = mesh_.fullVector<dim>
+            (
+                state_.velocity(a), mesh_.poly().points()[pointi]
+            );
+        }
+    }
+    if (mesh_.poly().time().writeTime())
+    {
+        zones_.report(Info);
     }
 }
 
@@ -85,13 +93,26 @@ Foam::tmp<Foam::vectorField> Foam::gasSolver<dim>::pressureForces
 template<int dim>
 Foam::gasTotals Foam::gasSolver<dim>::totals() const
 {
+    const activeParts& active = geometry_.active();
+    const bool first = blockTotals_.empty();
+    blockTotals_.resize(active.nBlocks(), State::Zero());
     State sum = State::Zero();
-    for (label a = 0; a < mesh_.nNodes(); ++a)
+    for (label b = 0; b < active.nBlocks(); ++b)
     {
-        if (mesh_.exchange().owned(a))
+        if (first || !active.blockAsleep(b))
         {
-            sum += geometry_.nodeVolume(a)*State(state_.conserved(a));
+            State& total = blockTotals_[b];
+            total = State::Zero();
+            const activeParts::range r = active.rows(b);
+            for (label a = r.from; a < r.to && a < mesh_.nNodes(); ++a)
+            {
+                if (mesh_.exchange().owned(a))
+                {
+                    total += geometry_.nodeVolume(a)*State(state_.conserved(a));
+                }
+            }
         }
+        sum += blockTotals_[b];
     }
     for (int k = 0; k < dim + 2; ++k)
     {
@@ -110,10 +131,8 @@ template<int dim>
 Foam::gasExtrema Foam::gasSolver<dim>::extrema() const
 {
     gasExtrema e{GREAT, -GREAT, GREAT, -GREAT, GREAT, -GREAT};
-    for (label a = 0; a < mesh_.nNodes(); ++a)
+    auto take = [&](const scalar p, const scalar rho)
     {
-        const scalar p = state_.p(a);
-        const scalar rho = state_.rho(a);
         const scalar T = state_.eos.temperature(p, rho);
         e.minP = min(e.minP, p);
         e.maxP = max(e.maxP, p);
@@ -121,6 +140,18 @@ Foam::gasExtrema Foam::gasSolver<dim>::extrema() const
         e.maxRho = max(e.maxRho, rho);
         e.minT = min(e.minT, T);
         e.maxT = max(e.maxT, T);
+    };
+    for (const activeParts::range& r : geometry_.active().nodes())
+    {
+        for (label a = r.from; a < r.to && a < mesh_.nNodes(); ++a)
+        {
+            take(state_.p(a), state_.rho(a));
+        }
+    }
+    if (geometry_.active().nAsleep() && zones_.sleeping())
+    {
+        const gasRow& still = zones_.still();
+        take(still[gasKernel::place<dim>::p], still[0]);
     }
     for (scalar* least : {&e.minP, &e.minRho, &e.minT})
     {

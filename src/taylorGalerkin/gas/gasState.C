@@ -15,6 +15,7 @@ Foam::gasState<dim>::gasState
     eos(gas),
     rows(geometry.nRows(), uniformRow(0)),
     pRef(0),
+    momentumScale(0),
     hasGravity(false),
     gravity(Vec::Zero())
 {
@@ -27,14 +28,30 @@ Foam::gasState<dim>::gasState
 
 
 template<int dim>
-Foam::label Foam::gasState<dim>::derive()
+Foam::label Foam::gasState<dim>::derive(const activeParts& active)
 {
-    const label n = label(rows.size());
-    const long bad = gasKernel::gasKernels<dim>::best().derive
-    (
-        kernelGas(), data(rows), 0, n
-    );
+    long bad = -1;
+    for (const activeParts::range& r : active.nodes())
+    {
+        const long found = gasKernel::gasKernels<dim>::best().derive
+        (
+            kernelGas(), data(rows), r.from, r.to
+        );
+        bad = bad < 0 ? found : bad;
+    }
     return bad;
+}
+
+
+template<int dim>
+void Foam::gasState<dim>::derive(const label node)
+{
+    constexpr label group = gasKernel::groupSize;
+    const label from = group*(node/group);
+    gasKernel::gasKernels<dim>::best().derive
+    (
+        kernelGas(), data(rows), from, from + group
+    );
 }
 
 

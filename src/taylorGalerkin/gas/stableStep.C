@@ -63,22 +63,21 @@ void reduceOverProcessors(stableStep& s, scalar& sum, label& count)
 } // End namespace
 
 template<int dim>
-Foam::stableStep Foam::findStableStep
+Foam::blockStep Foam::findBlockStep
 (
     const gasGeometry<dim>& geometry,
     const std::vector<double>& speed,
     const std::vector<double>& viscosity,
+    const activeParts::range& rows,
     const bool positive
 )
 {
-    const feMesh& mesh = geometry.mesh();
+    const sharedItems& exchange = geometry.mesh().exchange();
     const bool viscous = viscosity.size();
+    const label end = min(label(rows.to), geometry.nNodes());
 
-    stableStep result{GREAT, -1, point::zero, 0, 0, 0, 0};
-    scalar sum = 0;
-    label count = 0;
-    label least = -1;
-    for (label a = 0; a < geometry.nNodes(); ++a)
+    blockStep result{GREAT, -1, 0, 0, 0, 0, 0};
+    for (label a = rows.from; a < end; ++a)
     {
         // Sums over the edges per volume, eqs. (G10), (G11)
         const double c = speed[a]/geometry.nodeVolume(a);
@@ -91,16 +90,59 @@ Foam::stableStep Foam::findStableStep
         if (dt < result.deltaT)
         {
             result.deltaT = dt;
+            result.node = a;
             result.convection = c;
             result.diffusion = d;
-            least = a;
         }
         result.maxConvection = max(result.maxConvection, c);
-        if (mesh.exchange().owned(a))
+        if (exchange.owned(a))
         {
-            sum += c;
-            ++count;
+            result.sum += c;
+            ++result.count;
         }
+    }
+    return result;
+}
+
+
+template<int dim>
+Foam::stableStep Foam::findStableStep
+(
+    const gasGeometry<dim>& geometry,
+    const std::vector<double>& speed,
+    const std::vector<double>& viscosity,
+    std::vector<blockStep>& blocks,
+    const bool positive
+)
+{
+    const feMesh& mesh = geometry.mesh();
+    const activeParts& active = geometry.active();
+    stableStep result{GREAT, -1, point::zero, 0, 0, 0, 0};
+    scalar sum = 0;
+    label count = 0;
+    label least = -1;
+
+    blocks.resize(active.nBlocks());
+    for (label b = 0; b < active.nBlocks(); ++b)
+    {
+        if (!active.blockAsleep(b))
+        {
+            blocks[b] = findBlockStep
+            (
+                geometry, speed, viscosity, active.rows(b), positive
+            );
+        }
+        const blockStep& block = blocks[b];
+        if (block.deltaT < result.deltaT)
+        {
+            result.deltaT = block.deltaT;
+            result.convection = block.convection;
+            result.diffusion = block.diffusion;
+            least = block.node;
+        }
+        result.maxConvection = max(result.maxConvection, block.maxConvection);
+        sum += block.sum;
+        count += block.count;
     }
     if (least >= 0)
     {
@@ -124,6 +166,7 @@ namespace Foam
         const gasGeometry<1>&,
         const std::vector<double>&,
         const std::vector<double>&,
+        std::vector<blockStep>&,
         const bool
     );
     template stableStep findStableStep<2>
@@ -131,6 +174,7 @@ namespace Foam
         const gasGeometry<2>&,
         const std::vector<double>&,
         const std::vector<double>&,
+        std::vector<blockStep>&,
         const bool
     );
     template stableStep findStableStep<3>
@@ -138,6 +182,7 @@ namespace Foam
         const gasGeometry<3>&,
         const std::vector<double>&,
         const std::vector<double>&,
+        std::vector<blockStep>&,
         const bool
     );
 }

@@ -28,36 +28,41 @@ void Foam::pressureLaplacian<dim>::correct
 )
 {
     const gasKernel::edges e = geometry.edges();
-    const label nNodes = geometry.nNodes();
+    const activeParts& active = geometry.active();
 
-    laplacian_.assign(geometry.nRows(), 0.0);
-    for (std::size_t k = 0; k < e.n; ++k)
+    laplacian_.resize(geometry.nRows(), 0.0);
+    active.fill(laplacian_, 0.0);
+    active.forEdges([&](const long k)
     {
         const int i = e.first[k], j = e.second[k];
         const double flow = e.stiffness[k]*(state.p(j) - state.p(i));
         laplacian_[i] += flow;
         laplacian_[j] -= flow;
-    }
+    });
     geometry.mesh().exchange().sum(laplacian_.data(), 1, 1);
 
     // All of eq. (10) but the side
-    for (label a = 0; a < nNodes; ++a)
+    active.forRows([&](const long a)
     {
+        if (a >= geometry.nNodes())
+        {
+            return;
+        }
         const double speed =
             (state.velocity(a) - geometry.w(a)).norm() + state.soundSpeed(a);
         laplacian_[a] =
             qDif_*speed/state.p(a)
            *std::abs(laplacian_[a])/geometry.nodeVolume(a);
-    }
+    });
 
-    this->nu_.assign(e.n, 0.0);
-    for (label k = 0; k < geometry.nEdges(); ++k)
+    this->nu_.resize(e.n, 0.0);
+    active.forEdges([&](const long k)
     {
         const double h = geometry.side(k);
         this->nu_[k] =
             0.5*h*h*h*(laplacian_[e.first[k]] + laplacian_[e.second[k]])
            *e.stiffness[k];
-    }
+    });
     this->sumAtNodes(geometry);
 }
 

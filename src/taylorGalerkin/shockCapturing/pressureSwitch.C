@@ -35,10 +35,11 @@ void Foam::pressureSwitch<dim>::correct
 )
 {
     const gasKernel::edges e = geometry.edges();
-    const label nRows = geometry.nRows();
+    const activeParts& active = geometry.active();
 
-    sums_.assign(2*nRows, 0.0);
-    for (std::size_t k = 0; k < e.n; ++k)
+    sums_.resize(2*geometry.nRows(), 0.0);
+    active.forRows([&](const long a) { sums_[2*a] = sums_[2*a + 1] = 0; });
+    active.forEdges([&](const long k)
     {
         double* atI = &sums_[2*e.first[k]];
         double* atJ = &sums_[2*e.second[k]];
@@ -49,15 +50,17 @@ void Foam::pressureSwitch<dim>::correct
         atJ[0] -= flow;
         atI[1] += size;
         atJ[1] += size;
-    }
+    });
     geometry.mesh().exchange().sum(sums_.data(), 2, 2);
-    for (label a = 0; a < geometry.nNodes(); ++a)
+    active.forRows([&](const long a)
     {
-        sums_[2*a] = std::abs(sums_[2*a])/sums_[2*a + 1];
-    }
+        // No edge: padding, or gas about to wake
+        const double size = sums_[2*a + 1];
+        sums_[2*a] = size > 0 ? std::abs(sums_[2*a])/size : 0;
+    });
 
-    this->nu_.assign(e.n, 0.0);
-    for (std::size_t k = 0; k < e.n; ++k)
+    this->nu_.resize(e.n, 0.0);
+    active.forEdges([&](const long k)
     {
         const int i = e.first[k], j = e.second[k];
         double fluxI = 0, fluxJ = 0;
@@ -75,7 +78,7 @@ void Foam::pressureSwitch<dim>::correct
           + state.soundSpeed(j)*e.magArea[k]
         );
         this->nu_[k] = q_*std::max(sums_[2*i], sums_[2*j])*d;
-    }
+    });
     this->sumAtNodes(geometry);
 }
 

@@ -52,12 +52,13 @@ template<int dim>
 void Foam::shockCapturing<dim>::sumAtNodes(const gasGeometry<dim>& geometry)
 {
     const gasKernel::edges e = geometry.edges();
-    nodalNu_.assign(geometry.nRows(), 0.0);
-    for (std::size_t k = 0; k < e.n; ++k)
+    nodalNu_.resize(geometry.nRows(), 0.0);
+    geometry.active().fill(nodalNu_, 0.0);
+    geometry.active().forEdges([&](const long k)
     {
         nodalNu_[e.first[k]] += nu_[k];
         nodalNu_[e.second[k]] += nu_[k];
-    }
+    });
     geometry.mesh().exchange().sum(nodalNu_.data(), 1, 1);
 }
 

@@ -37,23 +37,31 @@ void Foam::fluxCorrector<dim>::step
     const gasKernel::volumes volumes = geometry.volumes();
     const gasKernel::gas gas = state.kernelGas();
     const sharedItems& exchange = geometry.mesh().exchange();
-    const label nRows = geometry.nRows();
+    const activeParts& active = geometry.active();
 
-    std::fill(sum_.begin(), sum_.end(), uniformRow(0));
-    kernels.antidiffusion
-    (
-        edges, gas, dt, 0, edges.n, data(state.rows), data(rates.rate),
-        data(rates.difference), flux_.data(), data(sum_)
-    );
+    active.fill(sum_, uniformRow(0));
+    for (const activeParts::range& r : active.edges())
+    {
+        kernels.antidiffusion
+        (
+            edges, gas, dt, r.from, r.to, data(state.rows), data(rates.rate),
+            data(rates.difference), flux_.data(), data(sum_)
+        );
+    }
     exchange.sum(data(sum_), rowSize, n);
 
-    const long bad = kernels.lowOrderState
-    (
-        volumes, gas, dt, !consistentMass, 0, nRows, data(state.rows),
-        rates.speed.data(), data(rates.rate), data(rates.difference),
-        data(boundarySum), data(sum_), data(low_), data(limited_),
-        data(collected_)
-    );
+    long bad = -1;
+    for (const activeParts::range& r : active.nodes())
+    {
+        const long found = kernels.lowOrderState
+        (
+            volumes, gas, dt, !consistentMass, r.from, r.to, data(state.rows),
+            rates.speed.data(), data(rates.rate), data(rates.difference),
+            data(boundarySum), data(sum_), data(low_), data(limited_),
+            data(collected_)
+        );
+        bad = bad < 0 ? found : bad;
+    }
     const bool isBad = bad >= 0 && bad < geometry.nNodes();
     if (returnReduce(isBad, orOp<bool>()))
     {
@@ -73,11 +81,14 @@ void Foam::fluxCorrector<dim>::step
     }
 
     using place = gasKernel::collectedPlace;
-    kernels.collect
-    (
-        edges, 0, edges.n, data(sum_), data(limited_), flux_.data(),
-        signs_.data(), data(collected_)
-    );
+    for (const activeParts::range& r : active.edges())
+    {
+        kernels.collect
+        (
+            edges, r.from, r.to, data(sum_), data(limited_), flux_.data(),
+            signs_.data(), data(collected_)
+        );
+    }
     exchange.sum(data(collected_), place::size, place::nSums);
     exchange.max
     (
@@ -96,16 +107,22 @@ void Foam::fluxCorrector<dim>::step
         }
     );
 
-    kernels.shares
-    (
-        volumes.after, slack_, 0, nRows, data(state.rows), data(collected_),
-        data(sum_), data(limited_)
-    );
-    kernels.limitedFlux
-    (
-        edges, 0, edges.n, data(limited_), signs_.data(), flux_.data(),
-        data(sum_)
-    );
+    for (const activeParts::range& r : active.nodes())
+    {
+        kernels.shares
+        (
+            volumes.after, slack_, r.from, r.to, data(state.rows),
+            data(collected_), data(sum_), data(limited_)
+        );
+    }
+    for (const activeParts::range& r : active.edges())
+    {
+        kernels.limitedFlux
+        (
+            edges, r.from, r.to, data(limited_), signs_.data(), flux_.data(),
+            data(sum_)
+        );
+    }
     exchange.sum(data(sum_), rowSize, n);
     acceptState(geometry, state);
 }
@@ -148,11 +165,16 @@ void Foam::fluxCorrector<dim>::acceptState
 
     while (true)
     {
-        const long bad = kernels.newState
-        (
-            state.kernelGas(), geometry.volumes().after, 0, geometry.nRows(),
-            data(low_), data(sum_), data(state.rows)
-        );
+        long bad = -1;
+        for (const activeParts::range& r : geometry.active().nodes())
+        {
+            const long found = kernels.newState
+            (
+                state.kernelGas(), geometry.volumes().after, r.from, r.to,
+                data(low_), data(sum_), data(state.rows)
+            );
+            bad = bad < 0 ? found : bad;
+        }
         const bool isBad = bad >= 0 && bad < geometry.nNodes();
         if (!returnReduce(isBad, orOp<bool>()))
         {

@@ -44,14 +44,27 @@ void Foam::gasRates<dim>::sumEdges
         return;
     }
     const gasKernel::edges edges = geometry.edges();
-    std::fill(rate.begin(), rate.end(), uniformRow(0));
-    std::fill(difference.begin(), difference.end(), uniformRow(0));
-    std::fill(speed.begin(), speed.end(), 0.0);
-    gasKernel::gasKernels<dim>::best().centralFlux
-    (
-        edges, state.kernelGas(), 0, edges.n,
-        data(state.rows), data(rate), data(difference), speed.data()
-    );
+    const activeParts& active = geometry.active();
+    active.fill(rate, uniformRow(0));
+    active.fill(difference, uniformRow(0));
+    active.fill(speed, 0.0);
+    if (active.nAsleep())
+    {
+        // The sums of nodes asleep are not computed, but added up with those
+        // of other processors
+        for (const label a : geometry.mesh().exchange().shared())
+        {
+            speed[a] = active.asleep(a) ? 0 : speed[a];
+        }
+    }
+    for (const activeParts::range& r : active.edges())
+    {
+        gasKernel::gasKernels<dim>::best().centralFlux
+        (
+            edges, state.kernelGas(), r.from, r.to,
+            data(state.rows), data(rate), data(difference), speed.data()
+        );
+    }
     geometry.mesh().exchange().sum(speed.data(), 1, 1);
 
     // Padding
@@ -84,11 +97,14 @@ void Foam::gasRates<dim>::compute
     exchange.sum(data(rate), rowSize, n + dim);
     exchange.sum(data(difference), rowSize, n + 1);
 
-    gasKernel::gasKernels<dim>::best().rates
-    (
-        geometry.volumes(), dt, 0, geometry.nRows(),
-        data(state.rows), speed.data(), data(rate), data(difference)
-    );
+    for (const activeParts::range& r : geometry.active().nodes())
+    {
+        gasKernel::gasKernels<dim>::best().rates
+        (
+            geometry.volumes(), dt, r.from, r.to,
+            data(state.rows), speed.data(), data(rate), data(difference)
+        );
+    }
     boundary.constrainRates(rate);
     boundary.constrainDifferences(difference);
     hasSums_ = false;

@@ -68,14 +68,20 @@ void Foam::twoStep<dim>::viscousStep
     const gasKernel::edges edges = geometry.edges();
     const sharedItems& exchange = geometry.mesh().exchange();
 
-    std::fill(residual_.begin(), residual_.end(), uniformRow(0));
-    const long bad = kernels.highOrderFlux
-    (
-        edges, state.kernelGas(), dt, 0, edges.n, data(state.rows),
-        data(rates.rate), data(rates.difference),
-        capturing.nu().empty() ? nullptr : capturing.nu().data(),
-        data(residual_)
-    );
+    const activeParts& active = geometry.active();
+    active.fill(residual_, uniformRow(0));
+    long bad = -1;
+    for (const activeParts::range& r : active.edges())
+    {
+        const long found = kernels.highOrderFlux
+        (
+            edges, state.kernelGas(), dt, r.from, r.to, data(state.rows),
+            data(rates.rate), data(rates.difference),
+            capturing.nu().empty() ? nullptr : capturing.nu().data(),
+            data(residual_)
+        );
+        bad = bad < 0 ? found : bad;
+    }
     const bool isBad = bad >= 0 && bad < geometry.nEdges();
     if (returnReduce(isBad, orOp<bool>()))
     {
@@ -92,10 +98,21 @@ void Foam::twoStep<dim>::viscousStep
     }
     exchange.sum(data(residual_), rowSize, n);
 
+    auto forActive = [&](auto&& visit)
+    {
+        for (const activeParts::range& r : active.nodes())
+        {
+            for (label a = r.from; a < r.to && a < geometry.nNodes(); ++a)
+            {
+                visit(a);
+            }
+        }
+    };
+
     // What the state gains, with the boundary's half-step fluxes
     auto divide = [&](const gasRows& sum)
     {
-        for (label a = 0; a < geometry.nNodes(); ++a)
+        forActive([&](const label a)
         {
             const double perVolume = 1/geometry.newNodeVolume(a);
             const double growth =
@@ -108,33 +125,39 @@ void Foam::twoStep<dim>::viscousStep
                   - growth*state.rows[a][k]
                 );
             }
-        }
+        });
         boundary.constrainRates(change_, dt);
     };
     divide(residual_);
 
     for (label pass = 0; consistent_ && pass < massIterations_; ++pass)
     {
-        std::fill(sum_.begin(), sum_.end(), uniformRow(0));
-        kernels.massCorrection(edges, 0, edges.n, data(change_), data(sum_));
+        active.fill(sum_, uniformRow(0));
+        for (const activeParts::range& r : active.edges())
+        {
+            kernels.massCorrection
+            (
+                edges, r.from, r.to, data(change_), data(sum_)
+            );
+        }
         exchange.sum(data(sum_), rowSize, n);
-        for (label a = 0; a < geometry.nNodes(); ++a)
+        forActive([&](const label a)
         {
             for (int k = 0; k < n; ++k)
             {
                 sum_[a][k] += residual_[a][k];
             }
-        }
+        });
         divide(sum_);
     }
 
-    for (label a = 0; a < geometry.nNodes(); ++a)
+    forActive([&](const label a)
     {
         for (int k = 0; k < n; ++k)
         {
             state.rows[a][k] += change_[a][k];
         }
-    }
+    });
 }
 
 

@@ -128,3 +128,33 @@ TEST_P(Edges, areOwnedInSerial)
 
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, Edges, testing::Values(1, 2, 3));
+
+
+TEST(NodeOrder, joinsLabelsThatAreNearWhateverThePointsOrder)
+{
+    testFolder folder;
+    autoPtr<Time> time = folder.clock();
+    const label n = 8;
+    boxMesh box(boxMesh::space(n, n, n));
+    box.shuffle = 3;
+    autoPtr<polyMesh> shuffled = box.make(time());
+    const feMesh mesh(shuffled());
+
+    // Neighbours differ by one in the sum of their steps from a corner, and
+    // no more than 3/4 (n + 1)^2 + 1/4 points have one sum
+    const label level = (3*(n + 1)*(n + 1) + 1)/4;
+    label widest = 0;
+    for (const edge& e : mesh.edges())
+    {
+        widest = max(widest, mag(e[1] - e[0]));
+    }
+    EXPECT_LE(widest, 4*level);
+
+    forAll(shuffled->points(), pointi)
+    {
+        const label nodei = mesh.nodeOfPoint()[pointi];
+        EXPECT_EQ(mesh.pointOfNode()[nodei], pointi);
+        EXPECT_EQ(mesh.globalNode()[nodei], pointi);
+        EXPECT_EQ(mesh.nodes()[nodei], shuffled->points()[pointi]);
+    }
+}
