@@ -93,6 +93,7 @@ void Foam::gasRates<dim>::compute
 
     // As if the gas went on behind a wall, mirrored
     boundary.constrainAtWalls(difference);
+    boundary.holdWallTemperatures(difference);
     hasSums_ = false;
 }
 
