@@ -19,41 +19,48 @@ Foam::noSlipWalls<dim>::noSlipWalls
     eos_(eos),
     patches_(patches)
 {
-    findNodes();
+    findNodes(T);
     update(U, T);
     checkTangential(U);
 }
 
 
 template<int dim>
-void Foam::noSlipWalls<dim>::findNodes()
+void Foam::noSlipWalls<dim>::findNodes(const pointScalarField& T)
 {
     const feMesh& mesh = geometry_.mesh();
     placeOfNode_.setSize(mesh.nNodes(), -1);
 
     // The last patch of each node, on whichever processor it has facets
-    std::vector<double> last(mesh.nNodes(), -1.0);
+    std::vector<double> last(2*mesh.nNodes(), -1.0);
     forAll(patches_, patchi)
     {
+        const bool hasT = isA<valuePointPatchField<scalar>>
+        (
+            T.boundaryField()[patches_[patchi]->index]
+        );
         for (const label node : patches_[patchi]->nodes)
         {
-            last[node] = patchi;
+            last[2*node] = patchi;
+            last[2*node + 1] = hasT ? patchi : last[2*node + 1];
         }
     }
-    mesh.exchange().max(last.data(), 1, 1);
+    mesh.exchange().max(last.data(), 2, 2);
 
-    DynamicList<label> nodes, decides;
+    DynamicList<label> nodes, decidesU, decidesT;
     for (label a = 0; a < mesh.nNodes(); ++a)
     {
-        if (last[a] >= 0)
+        if (last[2*a] >= 0)
         {
             placeOfNode_[a] = nodes.size();
             nodes.append(a);
-            decides.append(label(last[a]));
+            decidesU.append(label(last[2*a]));
+            decidesT.append(label(last[2*a + 1]));
         }
     }
     nodes_.transfer(nodes);
-    decides_.transfer(decides);
+    decidesU_.transfer(decidesU);
+    decidesT_.transfer(decidesT);
 }
 
 
@@ -70,21 +77,23 @@ void Foam::noSlipWalls<dim>::read(pointVectorField& U, pointScalarField& T)
         Tp.evaluate();
         const auto& velocity =
             refCast<const valuePointPatchField<vector>>(Up);
-        const bool hasT = isA<valuePointPatchField<scalar>>(Tp);
         const labelList& points = Up.patch().meshPoints();
         forAll(points, i)
         {
             const label place = placeOfNode_[mesh.nodeOfPoint()[points[i]]];
-            if (place < 0 || decides_[place] != patchi)
+            if (place < 0)
             {
                 continue;
             }
-            const Vec u = mesh.components<dim>
-            (
-                velocity[i], mesh.poly().points()[points[i]]
-            );
-            std::copy_n(u.data(), dim, values_[place].U);
-            if (hasT)
+            if (decidesU_[place] == patchi)
+            {
+                const Vec u = mesh.components<dim>
+                (
+                    velocity[i], mesh.poly().points()[points[i]]
+                );
+                std::copy_n(u.data(), dim, values_[place].U);
+            }
+            if (decidesT_[place] == patchi)
             {
                 values_[place].T =
                     refCast<const valuePointPatchField<scalar>>(Tp)[i];

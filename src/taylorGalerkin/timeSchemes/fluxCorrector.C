@@ -96,14 +96,25 @@ void Foam::fluxCorrector<dim>::step
         place::size - place::nSums
     );
 
-    // Where a wall holds the temperature the bounds of internal energy are
-    // those of the pressure, which density follows
+    // Where a wall holds the temperature density follows pressure, whose
+    // bounds are those of internal energy; that itself needs none
     boundary.noSlip().atTemperature
     (
-        [&](const label a)
+        [&](const label a, const double T)
         {
-            double* row = data(collected_) + place::size*a;
-            row[place::rhoBound] = row[place::rhoBound + 1] = GREAT;
+            double* bounds = data(collected_) + place::size*a;
+            const double perEnergy = 1/(state.eos.Cv()*T);
+            for (int k = 0; k < 2; ++k)
+            {
+                const double slack = k == 0 ? slack_ : -slack_;
+                double& bound = bounds[place::rhoBound + k];
+                bound = max
+                (
+                    bound,
+                    (1 + slack)*perEnergy*bounds[place::energyBound + k]
+                );
+                bounds[place::energyBound + k] = GREAT;
+            }
         }
     );
 

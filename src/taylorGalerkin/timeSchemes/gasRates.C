@@ -107,6 +107,7 @@ void Foam::gasRates<dim>::compute
     }
     boundary.constrainRates(rate);
     boundary.constrainDifferences(difference);
+    boundary.holdWallTemperatures(difference);
     hasSums_ = false;
 }
 

@@ -1,8 +1,9 @@
 """Decomposed runs against the serial one.
 
 A blast in a box with a cyclic pair, walls and far fields, cells cut by several
-processors; 200 steps. The fields of the reconstructed case agree to rounding,
-whatever the number of processors and the way of cutting.
+processors; 200 steps. With a moving mesh also viscous, with no-slip walls. The
+fields of the reconstructed case agree to rounding, whatever the number of
+processors and the way of cutting.
 """
 import re
 import shutil
@@ -42,20 +43,32 @@ MOVING = {
 }
 
 
+STICKY = {
+    "bottom": {"p": "type zeroGradient;", "U": "type noSlip;",
+               "T": "type fixedValue; value uniform 1.2;"},
+    "top": {"p": "type zeroGradient;", "T": "type zeroGradient;",
+            "U": "type noSlip; value uniform (0.5 0 0.2);"},
+}
+
+
 def blast(x):
     bump = np.exp(-((x - [0.3, 0.4, 0.5])**2).sum(axis=1) / 0.02)
     U = np.outer(np.ones(len(x)), [0.3, 0.1, 0.0])
     return 1 + 2 * bump, U, 1 + 5 * bump
 
 
-def makeCase(folder, moving):
+def makeCase(folder, kind):
     mesh = box([(1, 12)], (1, 10), (1, 8))
-    if not moving:
+    if kind == "cyclic":
         mesh.cyclic("back", "front")
-    case = BenchmarkCase(folder, mesh)
-    case.start(blast, dict(SIDES, **(
-        {"back": "wall", "front": "wall"} if moving else {"left": INFLOW})))
-    if moving:
+    case = BenchmarkCase(folder, mesh, mu=0.01 if kind == "viscous" else 0)
+    sides = dict(SIDES, **(
+        {"left": INFLOW} if kind == "cyclic"
+        else {"back": "wall", "front": "wall"}))
+    if kind == "viscous":
+        sides.update(STICKY)
+    case.start(blast, sides)
+    if kind != "cyclic":
         case.move("pointDisplacement", MOVING)
     case.write("system/controlDict", f"""
 application shockShellFoam; libs ("libtaylorGalerkin.so");
@@ -91,21 +104,20 @@ def limits(case):
     return np.array(found, float).T
 
 
-@pytest.fixture(scope="module", params=["cyclic", "moving"])
+@pytest.fixture(scope="module", params=["cyclic", "moving", "viscous"])
 def serial(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp(request.param)
-    moving = request.param == "moving"
-    case = makeCase(folder / "serial", moving)
+    case = makeCase(folder / "serial", request.param)
     case.log = case.run("shockShellFoam")
-    return folder, moving, fields(case), limits(case)
+    return folder, request.param, fields(case), limits(case)
 
 
 @pytest.mark.parametrize("parts, method", [
     (2, "scotch"), (4, "simple"), (8, "scotch"),
 ])
 def test_sameAnswer(serial, parts, method):
-    folder, moving, reference, stable = serial
-    case = makeCase(folder / f"{method}{parts}", moving)
+    folder, kind, reference, stable = serial
+    case = makeCase(folder / f"{method}{parts}", kind)
     decompose(case, parts, method)
     for name, values in fields(case).items():
         expected = reference[name]
