@@ -3,18 +3,11 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "gasGeometry.H"
+#include "edgeSumPlaces.H"
 #include "simplexTerms.H"
-#include "Time.H"
 
 namespace
 {
-
-// Places in the row of an edge's sums
-constexpr int massAt = 3;
-constexpr int stiffnessAt = 4;
-constexpr int sweepAt = 5;
-constexpr int lengthAt = 6;
-constexpr int countAt = 7;
 
 //- Points of Gauss' rule in time and their weight: two integrate a cubic, and
 //  every integral over a moving simplex is one at most
@@ -90,25 +83,6 @@ void Foam::gasGeometry<dim>::selectEdges()
 
 
 template<int dim>
-void Foam::gasGeometry<dim>::stopInverted
-(
-    const label simplexi,
-    const double volume
-) const
-{
-    const label celli = mesh_.cellOfSimplex()[simplexi];
-    FatalErrorInFunction
-        << "The mesh motion has inverted a simplex of cell " << celli
-        << " at " << mesh_.nodes()[mesh_.simplices()[(dim + 1)*simplexi]]
-        << ": its volume is " << volume << " m3" << nl
-        << "    at time " << mesh_.poly().time().timeName() << nl
-        << "    Use a finer write interval to see the mesh before, "
-        << "and change the motion solver's coefficients or the mesh"
-        << exit(FatalError);
-}
-
-
-template<int dim>
 void Foam::gasGeometry<dim>::sumSimplices
 (
     const pointField& from,
@@ -121,13 +95,17 @@ void Foam::gasGeometry<dim>::sumSimplices
     const int k = curvature();
     const int radial = this->radial();
     const double depth = mesh_.depth();
-    // A planar simplex is averaged in closed form
-    const bool atGaussPoints = k && !atRest;
-    const int nTimes = atGaussPoints ? 2 : 1;
+    const int nTimes = atRest ? 1 : 2;
 
     edgeSums_.assign(mesh_.nEdges(), uniformRow(0));
     std::fill_n(volumeAtEnd.begin(), nNodes(), 0.0);
     hoop_.assign(k ? nRows_ : 0, 0.0);
+    if (!k && !atRest)
+    {
+        sumMovingPlanar(from, to, dt, volumeAtEnd);
+        mesh_.exchange().sum(volumeAtEnd.data(), 1, 1);
+        return;
+    }
 
     const label* corner = mesh_.simplexCorners().cdata();
     const label* node = mesh_.simplices().cdata();
@@ -158,17 +136,14 @@ void Foam::gasGeometry<dim>::sumSimplices
 
         for (int t = 0; t < nTimes; ++t)
         {
-            const double c =
-                atRest ? 1 : atGaussPoints ? gaussPoints[t] : 0.5;
+            const double c = atRest ? 1 : gaussPoints[t];
             for (int a = 0; a <= dim; ++a)
             {
                 x[a] = (1 - c)*x0[a] + c*x1[a];
             }
             const simplexTerms<dim> now
             (
-                atRest ? end
-              : atGaussPoints ? simplexTerms<dim>(x, k, radial)
-              : simplexTerms<dim>(x0, x1)
+                atRest ? end : simplexTerms<dim>(x, k, radial)
             );
             const double weight = depth/nTimes;
 
@@ -199,16 +174,16 @@ void Foam::gasGeometry<dim>::sumSimplices
                     {
                         sums[i] += sense*S[i];
                     }
-                    sums[massAt] +=
+                    sums[edgeSum::massAt] +=
                         weight*now.volume/((dim + 1)*(dim + 2));
-                    sums[stiffnessAt] -=
+                    sums[edgeSum::stiffnessAt] -=
                         weight*now.B.col(a).dot(now.B.col(b))*now.volume
                        /(now.plainVolume*now.plainVolume);
-                    sums[lengthAt] += (x[a] - x[b]).squaredNorm();
-                    sums[countAt] += 1;
+                    sums[edgeSum::lengthAt] += (x[a] - x[b]).squaredNorm();
+                    sums[edgeSum::countAt] += 1;
                     if (!atRest)
                     {
-                        sums[sweepAt] += sense*(carried[b] - carried[a]);
+                        sums[edgeSum::sweepAt] += sense*(carried[b] - carried[a]);
                     }
                 }
             }
@@ -244,7 +219,7 @@ void Foam::gasGeometry<dim>::setEdges()
             {
                 sums[i] *= sense;
             }
-            sums[sweepAt] *= sense;
+            sums[edgeSum::sweepAt] *= sense;
         }
     };
     turn();
@@ -261,19 +236,18 @@ void Foam::gasGeometry<dim>::setEdges()
             square += sums[k]*sums[k];
         }
         magArea_[i] = std::sqrt(square);
-        mass_[i] = sums[massAt];
-        stiffness_[i] = sums[stiffnessAt];
-        sweep_[i] = sums[sweepAt];
-        const double length = std::sqrt(sums[lengthAt]/sums[countAt]);
+        mass_[i] = sums[edgeSum::massAt];
+        stiffness_[i] = sums[edgeSum::stiffnessAt];
+        sweep_[i] = sums[edgeSum::sweepAt];
+        const double length = std::sqrt(sums[edgeSum::lengthAt]/sums[edgeSum::countAt]);
         side_[i] = length;
         if (!curvature())
         {
-            // From the mean volume; mass_ is the sum of their shares
+            // The mean volume; mass_ is the sum of their shares
             constexpr double factorial[] = {1, 1, 2, 6};
-            const double hd =
+            side_[i] =
                 factorial[dim]*(dim + 1)*(dim + 2)*mass_[i]
-               /(mesh_.depth()*sums[countAt]);
-            side_[i] = dim == 1 ? hd : dim == 2 ? std::sqrt(hd) : std::cbrt(hd);
+               /(mesh_.depth()*sums[edgeSum::countAt]);
         }
         inverseLengthArea_[i] =
             magArea_[i] > 1e-12*mass_[i]/length ? 1/(length*magArea_[i]) : 0;
@@ -364,40 +338,6 @@ void Foam::gasGeometry<dim>::begin()
         setEdges();
         setFacets(corners(), corners());
         isPresent_ = true;
-    }
-}
-
-
-template<int dim>
-void Foam::gasGeometry<dim>::begin
-(
-    const double dt,
-    const pointField& newNodes
-)
-{
-    moving_ = true;
-    isPresent_ = false;
-    newNodes_ = newNodes;
-    for (label a = 0; a < nNodes(); ++a)
-    {
-        w_[a] = mesh_.components<dim>(newNodes[a] - mesh_.nodes()[a])/dt;
-    }
-    const tmp<pointField> from(mesh_.cornerPositions(mesh_.nodes()));
-    const tmp<pointField> to(mesh_.cornerPositions(newNodes));
-    sumSimplices(from(), to(), dt, newNodeVolume_);
-    setEdges();
-    setFacets(from(), to());
-}
-
-
-template<int dim>
-void Foam::gasGeometry<dim>::end()
-{
-    if (moving_)
-    {
-        mesh_.moveNodes(newNodes_);
-        std::swap(nodeVolume_, newNodeVolume_);
-        moving_ = false;
     }
 }
 

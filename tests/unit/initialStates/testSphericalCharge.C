@@ -163,13 +163,12 @@ TEST(SphericalCharge, symmetric)
         "centre (0.5 0.5 0.5); radius 0.3; p 1e6; T 500;"
     );
     const gasNodes& nodes = scene.nodes();
-    for (label i = 0; i < nodes.size(); ++i)
+    const labelList& nodeOfPoint = scene.mesh().nodeOfPoint();
+    forAll(nodeOfPoint, i)
     {
         // Points of a box in memory are numbered from one corner to the other
-        EXPECT_NEAR
-        (
-            nodes.p()[i]/nodes.p()[nodes.size() - 1 - i], 1, 1e-3
-        );
+        const label opposite = nodeOfPoint[nodeOfPoint.size() - 1 - i];
+        EXPECT_NEAR(nodes.p()[nodeOfPoint[i]]/nodes.p()[opposite], 1, 1e-3);
     }
 }
 

@@ -106,7 +106,7 @@ TEST(StateErrors, gasNotPhysicalBeforehand)
     stateScene scene(boxMesh::plane(3, 3));
     const label n = scene.mesh().nNodes();
     scalarField p(n, 1e5);
-    p[3] = -2;
+    p[scene.mesh().nodeOfPoint()[3]] = -2;
     try
     {
         gasNodes

@@ -110,7 +110,9 @@ TEST(BoundaryKinds, symmetryIsTheOtherHalf)
     for (const word type : {"symmetryPlane", "symmetry"})
     {
         EXPECT_LE(differenceOfHalf(false, type), 1e-6) << type;
-        EXPECT_LE(differenceOfHalf(true, type), 4e-3) << type;
+
+        // The diagonals of the two meshes differ
+        EXPECT_LE(differenceOfHalf(true, type), 8e-3) << type;
     }
     EXPECT_GT(differenceOfHalf(false, "patch"), 0.02);
     EXPECT_GT(differenceOfHalf(true, "patch"), 0.02);
