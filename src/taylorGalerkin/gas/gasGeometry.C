@@ -177,13 +177,14 @@ void Foam::gasGeometry<dim>::sumSimplices
                     sums[edgeSum::massAt] +=
                         weight*now.volume/((dim + 1)*(dim + 2));
                     sums[edgeSum::stiffnessAt] -=
-                        weight*now.B.col(a).dot(now.B.col(b))*now.volume
+                        weight*now.volume*now.B.col(a).dot(now.B.col(b))
                        /(now.plainVolume*now.plainVolume);
                     sums[edgeSum::lengthAt] += (x[a] - x[b]).squaredNorm();
                     sums[edgeSum::countAt] += 1;
                     if (!atRest)
                     {
-                        sums[edgeSum::sweepAt] += sense*(carried[b] - carried[a]);
+                        sums[edgeSum::sweepAt] +=
+                            sense*(carried[b] - carried[a]);
                     }
                 }
             }
@@ -239,7 +240,8 @@ void Foam::gasGeometry<dim>::setEdges()
         mass_[i] = sums[edgeSum::massAt];
         stiffness_[i] = sums[edgeSum::stiffnessAt];
         sweep_[i] = sums[edgeSum::sweepAt];
-        const double length = std::sqrt(sums[edgeSum::lengthAt]/sums[edgeSum::countAt]);
+        const double length =
+            std::sqrt(sums[edgeSum::lengthAt]/sums[edgeSum::countAt]);
         side_[i] = length;
         if (!curvature())
         {

@@ -20,7 +20,7 @@ LONG = {2: (64, 128, 256), 3: (27, 40, 60)}
 # one, and L1 error of rho (mean over the nodes inside 1.1 radii)
 RADIUS = {1: 0.01, 2: 0.02, 3: 0.04}
 ERROR = {1: 0.08, 2: 0.2, 3: 0.42}
-ORDER = {1: 0.55, 2: 0.5, 3: 0.3}
+ORDER = {1: 0.4, 2: 0.5, 3: 0.3}
 
 
 def frontRadius(r, rho, blast):
