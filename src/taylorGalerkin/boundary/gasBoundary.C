@@ -88,6 +88,7 @@ Foam::gasBoundary<dim>::gasBoundary
     walls_(wallPatches()),
     outerVaries_(false),
     half_(geometry.nRows(), uniformRow(0)),
+    present_(geometry.nRows(), uniformRow(0)),
     hasPrescribed_(false),
     wallConstraints_(geometry, walls_),
     noSlip_(geometry, eos, noSlipPatches(), U, T)
@@ -258,16 +259,10 @@ template<int dim>
 void Foam::gasBoundary<dim>::findOuterNodes()
 {
     outer_.setSize(farField_.size());
-    outerOf_.setSize(farField_.size());
     forAll(farField_, i)
     {
         const fePatch& patch = *farField_[i];
         outer_[i].resize(patch.nodes.size());
-        outerOf_[i].setSize(patch.facets.size());
-        forAll(patch.facets, k)
-        {
-            outerOf_[i][k] = findLower(patch.nodes, patch.facets[k] + 1);
-        }
     }
 }
 

@@ -24,56 +24,93 @@ void Foam::gasBoundary<dim>::facetForces
 
 
 template<int dim>
+void Foam::gasBoundary<dim>::addForce
+(
+    const double pressure,
+    const Vec& S,
+    gasRow& sum
+)
+{
+    for (int k = 0; k < dim; ++k)
+    {
+        sum[1 + k] -= pressure*S[k];
+        sum[gasKernel::place<dim>::force + k] -= pressure*S[k];
+    }
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::addFlux
+(
+    const gasRow& q,
+    const double pRef,
+    const Vec& S,
+    gasRow& sum
+)
+{
+    using place = gasKernel::place<dim>;
+    double m = 0;
+    for (int k = 0; k < dim; ++k)
+    {
+        m += q[1 + k]*S[k];
+    }
+    const double flux = m*q[place::specificVolume];
+    for (int k = 0; k < place::nConserved; ++k)
+    {
+        sum[k] -= flux*q[k];
+    }
+    sum[place::energy] -= flux*q[place::p];
+    addForce(q[place::p] - pRef, S, sum);
+}
+
+
+template<int dim>
 void Foam::gasBoundary<dim>::addWallFluxes
 (
     const gasRows& states,
     const double pRef,
-    const double dt,
     gasRows& sum
 ) const
 {
     constexpr int pressure = gasKernel::place<dim>::p;
+    constexpr int energy = gasKernel::place<dim>::energy;
     const activeParts& active = geometry_.active();
+    const bool moving = geometry_.moving();
     for (const fePatch* patch : walls_)
     {
-        const label number = geometry_.patchNumber(*patch);
-        forAll(patch->facetSimplex, i)
+        const patchSurface<dim>& surface = geometry_.surface(*patch);
+        for (const auto& node : surface.nodes())
         {
-            const label* nodes = &patch->facets[dim*i];
-            if (active.asleep(nodes, dim))
+            if (active.asleep(node.a))
             {
                 continue;
             }
-            const auto& facet = geometry_.facet(number, i);
-            double p[dim];
-            for (int b = 0; b < dim; ++b)
+            const double p = states[node.a][pressure];
+            addForce(p - pRef, node.M, sum[node.a]);
+            if (moving)
             {
-                p[b] = states[nodes[b]][pressure];
+                sum[node.a][energy] -= p*node.M.dot(geometry_.w(node.a));
             }
-            for (int a = 0; a < dim; ++a)
+        }
+        for (const auto& pair : surface.pairs())
+        {
+            if (active.asleep(pair.a) && active.asleep(pair.b))
             {
-                // The momentum's flux closes the dual volumes, (G16)
-                Vec force = Vec::Zero();
-                double work = 0;
-                for (int b = 0; b < dim; ++b)
-                {
-                    const Vec& M = facet.M[a][b];
-                    force += (0.5*(p[a] + p[b]) - pRef)*M;
-                    if (geometry_.moving())
-                    {
-                        const Vec& wa = geometry_.w(nodes[a]);
-                        const Vec& wb = geometry_.w(nodes[b]);
-                        work +=
-                            p[b]*M.dot(wa)
-                          - 0.25*(p[b] - p[a])*M.dot(wa + wb);
-                    }
-                }
-                gasRow& row = sum[nodes[a]];
-                for (int k = 0; k < dim; ++k)
-                {
-                    row[1 + k] -= dt*force[k];
-                }
-                row[dim + 1] -= dt*work;
+                continue;
+            }
+            // The momentum's flux closes the dual volumes, (G16)
+            const double pa = states[pair.a][pressure];
+            const double pb = states[pair.b][pressure];
+            const double mean = 0.5*(pa + pb) - pRef;
+            addForce(mean, pair.M, sum[pair.a]);
+            addForce(mean, pair.M, sum[pair.b]);
+            if (moving)
+            {
+                const double wa = pair.M.dot(geometry_.w(pair.a));
+                const double wb = pair.M.dot(geometry_.w(pair.b));
+                const double less = 0.25*(pb - pa)*(wa + wb);
+                sum[pair.a][energy] -= pb*wa - less;
+                sum[pair.b][energy] -= pa*wb + less;
             }
         }
     }
@@ -85,51 +122,49 @@ void Foam::gasBoundary<dim>::addOpenFluxes
 (
     const gasRows& states,
     const double pRef,
-    const double dt,
     gasRows& sum
 ) const
 {
-    constexpr int pressure = gasKernel::place<dim>::p;
+    constexpr int n = gasKernel::place<dim>::nConserved;
     const activeParts& active = geometry_.active();
+    const bool moving = geometry_.moving();
     for (const fePatch* patch : open_)
     {
-        const label number = geometry_.patchNumber(*patch);
-        forAll(patch->facetSimplex, i)
+        const patchSurface<dim>& surface = geometry_.surface(*patch);
+        for (const auto& node : surface.nodes())
         {
-            const label* nodes = &patch->facets[dim*i];
-            if (active.asleep(nodes, dim))
+            if (active.asleep(node.a))
             {
                 continue;
             }
-            const auto& facet = geometry_.facet(number, i);
-
-            auto flux = [&](const int b, const Vec& S) -> State
+            addFlux(states[node.a], pRef, node.M, sum[node.a]);
+            const double swept =
+                moving ? node.M.dot(geometry_.w(node.a)) : 0;
+            for (int k = 0; moving && k < n; ++k)
             {
-                const gasRow& row = states[nodes[b]];
-                const Eigen::Map<const State> s(row.v);
-                const Vec U = gasDynamics::velocity<dim>(s);
-                State f = s*U.dot(S);
-                f.template segment<dim>(1) += (row[pressure] - pRef)*S;
-                f[dim + 1] += row[pressure]*U.dot(S);
-                return f;
-            };
-
-            for (int a = 0; a < dim; ++a)
+                sum[node.a][k] += swept*states[node.a][k];
+            }
+        }
+        for (const auto& pair : surface.pairs())
+        {
+            if (active.asleep(pair.a) && active.asleep(pair.b))
             {
-                State f = State::Zero();
-                for (int b = 0; b < dim; ++b)
-                {
-                    const Vec S = 0.5*facet.M[a][b];
-                    f += flux(a, S) + flux(b, S);
-                    if (geometry_.moving())
-                    {
-                        // Exact for uniform gas whatever the motion
-                        const double swept = geometry_.w(nodes[b]).dot(S);
-                        f -= swept*Eigen::Map<const State>(states[nodes[a]].v);
-                        f -= swept*Eigen::Map<const State>(states[nodes[b]].v);
-                    }
-                }
-                Eigen::Map<State>(sum[nodes[a]].v) -= dt*f;
+                continue;
+            }
+            const gasRow& qa = states[pair.a];
+            const gasRow& qb = states[pair.b];
+            const Vec S = 0.5*pair.M;
+            gasRow f = uniformRow(0);
+            addFlux(qa, pRef, S, f);
+            addFlux(qb, pRef, S, f);
+            // Exact for uniform gas whatever the motion
+            const double sweptA = moving ? S.dot(geometry_.w(pair.b)) : 0;
+            const double sweptB = moving ? S.dot(geometry_.w(pair.a)) : 0;
+            for (int k = 0; k < gasKernel::rowSize; ++k)
+            {
+                const double both = k < n ? qa[k] + qb[k] : 0;
+                sum[pair.a][k] += f[k] + sweptA*both;
+                sum[pair.b][k] += f[k] + sweptB*both;
             }
         }
     }
@@ -141,41 +176,56 @@ void Foam::gasBoundary<dim>::addFarFieldFluxes
 (
     const gasRows& states,
     const double pRef,
-    const double dt,
     gasRows& sum
 ) const
 {
+    constexpr int n = gasKernel::place<dim>::nConserved;
+    constexpr int force = gasKernel::place<dim>::force;
     const activeParts& active = geometry_.active();
     forAll(farField_, patchi)
     {
-        const fePatch& patch = *farField_[patchi];
-        const label number = geometry_.patchNumber(patch);
-        forAll(patch.facetSimplex, i)
+        const patchSurface<dim>& surface =
+            geometry_.surface(*farField_[patchi]);
+        std::vector<double>& swept = swept_;
+        swept.assign(surface.nodes().size(), 0.0);
+        if (geometry_.moving())
         {
-            const label* nodes = &patch.facets[dim*i];
-            if (active.asleep(nodes, dim))
+            for (std::size_t i = 0; i < swept.size(); ++i)
+            {
+                const auto& node = surface.nodes()[i];
+                swept[i] = node.M.dot(geometry_.w(node.a));
+            }
+            for (const auto& pair : surface.pairs())
+            {
+                swept[pair.placeOfA] += pair.M.dot(geometry_.w(pair.b));
+                swept[pair.placeOfB] += pair.M.dot(geometry_.w(pair.a));
+            }
+        }
+        for (std::size_t i = 0; i < swept.size(); ++i)
+        {
+            const auto& node = surface.nodes()[i];
+            if (active.asleep(node.a))
             {
                 continue;
             }
-            const auto& facet = geometry_.facet(number, i);
-            for (int a = 0; a < dim; ++a)
+            // The velocity along S that sweeps the same volume
+            const Vec& S = node.S;
+            const Vec w = swept[i]/S.squaredNorm()*S;
+            const Eigen::Map<const State> inner(states[node.a].v);
+            const State f = gasDynamics::farFieldFlux<dim>
+            (
+                eos_, inner, outer_[patchi][i], S, w
+            );
+            gasRow& row = sum[node.a];
+            const double p = states[node.a][gasKernel::place<dim>::p] - pRef;
+            for (int k = 0; k < n; ++k)
             {
-                Vec S = Vec::Zero();
-                double swept = 0;
-                for (int b = 0; b < dim; ++b)
-                {
-                    S += facet.M[a][b];
-                    swept += facet.M[a][b].dot(geometry_.w(nodes[b]));
-                }
-                // The velocity along S that sweeps the same volume
-                const Vec w = swept/S.squaredNorm()*S;
-                State f = gasDynamics::farFieldFlux<dim>
-                (
-                    eos_, Eigen::Map<const State>(states[nodes[a]].v),
-                    outer_[patchi][outerOf_[patchi][dim*i + a]], S, w
-                );
-                f.template segment<dim>(1) -= pRef*S;
-                Eigen::Map<State>(sum[nodes[a]].v) -= dt*f;
+                row[k] -= f[k];
+            }
+            for (int k = 0; k < dim; ++k)
+            {
+                row[1 + k] += pRef*S[k];
+                row[force + k] -= p*S[k];
             }
         }
     }
@@ -183,66 +233,35 @@ void Foam::gasBoundary<dim>::addFarFieldFluxes
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::addFluxes
+void Foam::gasBoundary<dim>::sumFluxes
 (
     const gasRows& states,
     const double pRef,
-    const double dt,
     gasRows& sum
 ) const
 {
-    addWallFluxes(states, pRef, dt, sum);
-    addOpenFluxes(states, pRef, dt, sum);
-    addFarFieldFluxes(states, pRef, dt, sum);
+    for (const label node : boundaryNodes_)
+    {
+        sum[node] = uniformRow(0);
+    }
+    addWallFluxes(states, pRef, sum);
+    addOpenFluxes(states, pRef, sum);
+    addFarFieldFluxes(states, pRef, sum);
 }
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::closeForce
-(
-    const gasState<dim>& state,
-    gasRows& rates
-) const
+void Foam::gasBoundary<dim>::addFluxes(const double dt, gasRows& sum) const
 {
-    constexpr int force = gasKernel::place<dim>::force;
-    const activeParts& active = geometry_.active();
-    for (const auto* patches : {&walls_, &open_, &farField_})
+    for (const label node : boundaryNodes_)
     {
-        for (const fePatch* patch : *patches)
+        if (geometry_.active().asleep(node))
         {
-            const label number = geometry_.patchNumber(*patch);
-            forAll(patch->facetSimplex, i)
-            {
-                const label* nodes = &patch->facets[dim*i];
-                if (active.asleep(nodes, dim))
-                {
-                    continue;
-                }
-                const auto& facet = geometry_.facet(number, i);
-                for (int a = 0; a < dim; ++a)
-                {
-                    for (int b = 0; b < dim; ++b)
-                    {
-                        const double mean =
-                            0.5*(state.p(nodes[a]) + state.p(nodes[b]))
-                          - state.pRef;
-                        for (int k = 0; k < dim; ++k)
-                        {
-                            rates[nodes[a]][force + k] -=
-                                mean*facet.M[a][b][k];
-                        }
-                    }
-                }
-            }
+            continue;
         }
-    }
-    const double* hoop = geometry_.hoop();
-    for (label a = 0; hoop && a < state.nNodes(); ++a)
-    {
-        if (geometry_.mesh().exchange().owned(a))
+        for (int k = 0; k < gasKernel::rowSize; ++k)
         {
-            rates[a][force + geometry_.radial()] +=
-                hoop[a]*(state.p(a) - state.pRef);
+            sum[node][k] += dt*present_[node][k];
         }
     }
 }
@@ -270,13 +289,13 @@ void Foam::gasBoundary<dim>::halfStepFluxes
             // May share a facet with nodes that are awake
             continue;
         }
-        sum[node] = uniformRow(0);
         Eigen::Map<State> s(half.v);
         s += 0.5*dt*Eigen::Map<const State>(rate[node].v);
         const double p = gasDynamics::pressure<dim>(eos_, s);
         if (s[0] > 0 && p > 0)
         {
             half[gasKernel::place<dim>::p] = p;
+            half[gasKernel::place<dim>::specificVolume] = 1/s[0];
         }
         else
         {
@@ -284,8 +303,14 @@ void Foam::gasBoundary<dim>::halfStepFluxes
             half = state.rows[node];
         }
     }
-    addFluxes(half_, state.pRef, dt, sum);
-    addFluxes(state.rows, state.pRef, -dt, sum);
+    sumFluxes(half_, state.pRef, sum);
+    for (const label node : boundaryNodes_)
+    {
+        for (int k = 0; k < gasKernel::rowSize; ++k)
+        {
+            sum[node][k] = dt*(sum[node][k] - present_[node][k]);
+        }
+    }
     geometry_.mesh().exchange().sum
     (
         data(sum), gasKernel::rowSize, gasKernel::place<dim>::nConserved
@@ -302,6 +327,41 @@ void Foam::gasBoundary<dim>::halfStepFluxes
 
 
 template<int dim>
+void Foam::gasBoundary<dim>::addExcess
+(
+    const gasRows& excess,
+    const bool everywhere,
+    const double dt,
+    gasRows& rate
+) const
+{
+    auto add = [&](const label a)
+    {
+        const double perVolume = 1/(dt*meanVolume(a));
+        for (int k = 0; k < gasKernel::place<dim>::nConserved; ++k)
+        {
+            rate[a][k] += perVolume*excess[a][k];
+        }
+    };
+    if (everywhere)
+    {
+        for (label a = 0; a < geometry_.nNodes(); ++a)
+        {
+            add(a);
+        }
+        return;
+    }
+    for (const label a : boundaryNodes_)
+    {
+        if (!geometry_.active().asleep(a))
+        {
+            add(a);
+        }
+    }
+}
+
+
+template<int dim>
 Foam::labelList Foam::gasBoundary<dim>::acting
 (
     const gasState<dim>& state
@@ -309,8 +369,8 @@ Foam::labelList Foam::gasBoundary<dim>::acting
 {
     // Fluxes of the states as they are and of half a step that changes nothing
     const gasRows rate(state.rows.size(), uniformRow(0));
-    gasRows sum(rate), excess(rate);
-    addFluxes(state.rows, state.pRef, 1, sum);
+    gasRows excess(rate);
+    setFluxes(state);
     halfStepFluxes(state, rate, 1, excess);
 
     DynamicList<label> nodes;
@@ -319,7 +379,7 @@ Foam::labelList Foam::gasBoundary<dim>::acting
         bool acts = false;
         for (int k = 0; k < dim + 2; ++k)
         {
-            acts = acts || sum[node][k] != 0 || excess[node][k] != 0;
+            acts = acts || present_[node][k] != 0 || excess[node][k] != 0;
         }
         if (acts)
         {
@@ -381,8 +441,9 @@ void Foam::gasBoundary<dim>::addSources
         }
         if (hoop)
         {
-            sum[a][1 + geometry_.radial()] +=
-                dt*hoop[a]*(state.p(a) - state.pRef);
+            const double force = dt*hoop[a]*(state.p(a) - state.pRef);
+            sum[a][1 + geometry_.radial()] += force;
+            sum[a][gasKernel::place<dim>::force + geometry_.radial()] += force;
         }
         if (state.hasGravity)
         {

@@ -33,8 +33,10 @@ Foam::gasGeometry<dim>::gasGeometry(feMesh& mesh)
     nodeVolume_.assign(nRows_, 1.0);
     newNodeVolume_.assign(nRows_, 1.0);
     facets_.setSize(mesh_.patches().size());
+    surfaces_.setSize(mesh_.patches().size());
     forAll(facets_, patchi)
     {
+        surfaces_[patchi] = patchSurface<dim>(mesh_.patches()[patchi]);
         facets_[patchi].setSize(mesh_.patches()[patchi].facetSimplex.size());
     }
     begin();
@@ -324,6 +326,7 @@ void Foam::gasGeometry<dim>::setFacets
                 addFacet(patch, i, x, 1.0/nTimes, facets_[patchi][i]);
             }
         }
+        surfaces_[patchi].sum(facets_[patchi]);
     }
 }
 
@@ -365,7 +368,7 @@ gasKernel::edges Foam::gasGeometry<dim>::edges() const
 
 
 template<int dim>
-typename Foam::gasGeometry<dim>::facetIntegrals
+Foam::facetIntegrals<dim>
 Foam::gasGeometry<dim>::presentFacet(const fePatch& patch, const label i) const
 {
     const label* corner =

@@ -11,6 +11,7 @@ Foam::fluxCorrector<dim>::fluxCorrector(const gasGeometry<dim>& geometry)
     sum_(geometry.nRows(), uniformRow(0)),
     low_(geometry.nRows(), uniformRow(0)),
     limited_(geometry.nRows(), uniformRow(0)),
+    bounds_(geometry.nRows(), uniformRow(0)),
     collected_(2*geometry.nRows()),
     flux_(gasKernel::place<dim>::nConserved*geometry.edges().n, 0.0),
     signs_(geometry.edges().n),
@@ -23,7 +24,7 @@ void Foam::fluxCorrector<dim>::step
 (
     const gasGeometry<dim>& geometry,
     const gasBoundary<dim>& boundary,
-    const gasRates<dim>& rates,
+    gasRates<dim>& rates,
     gasState<dim>& state,
     const bool consistentMass,
     const double dt,
@@ -49,6 +50,10 @@ void Foam::fluxCorrector<dim>::step
         );
     }
     exchange.sum(data(sum_), rowSize, n);
+    boundary.addExcess
+    (
+        boundarySum, state.hasGravity || rates.viscous.valid(), dt, rates.rate
+    );
 
     long bad = -1;
     for (const activeParts::range& r : active.nodes())
@@ -57,7 +62,7 @@ void Foam::fluxCorrector<dim>::step
         (
             volumes, gas, dt, !consistentMass, r.from, r.to, data(state.rows),
             rates.speed.data(), data(rates.rate), data(rates.difference),
-            data(boundarySum), data(sum_), data(low_), data(limited_),
+            data(sum_), data(low_), data(limited_), data(bounds_),
             data(collected_)
         );
         bad = bad < 0 ? found : bad;
@@ -85,8 +90,8 @@ void Foam::fluxCorrector<dim>::step
     {
         kernels.collect
         (
-            edges, r.from, r.to, data(sum_), data(limited_), flux_.data(),
-            signs_.data(), data(collected_)
+            edges, r.from, r.to, data(sum_), data(limited_), data(bounds_),
+            flux_.data(), signs_.data(), data(collected_)
         );
     }
     exchange.sum(data(collected_), place::size, place::nSums);
@@ -102,18 +107,19 @@ void Foam::fluxCorrector<dim>::step
     (
         [&](const label a, const double T)
         {
-            double* bounds = data(collected_) + place::size*a;
+            double* bounds =
+                data(collected_) + place::size*a + place::bounds;
             const double perEnergy = 1/(state.eos.Cv()*T);
             for (int k = 0; k < 2; ++k)
             {
                 const double slack = k == 0 ? slack_ : -slack_;
-                double& bound = bounds[place::rhoBound + k];
+                double& bound = bounds[gasKernel::boundPlace::rho + k];
                 bound = max
                 (
                     bound,
-                    (1 + slack)*perEnergy*bounds[place::energyBound + k]
+                    (1 + slack)*perEnergy*bounds[gasKernel::boundPlace::energy + k]
                 );
-                bounds[place::energyBound + k] = GREAT;
+                bounds[gasKernel::boundPlace::energy + k] = GREAT;
             }
         }
     );
@@ -123,41 +129,30 @@ void Foam::fluxCorrector<dim>::step
         kernels.shares
         (
             volumes.after, slack_, r.from, r.to, data(state.rows),
-            data(collected_), data(sum_), data(limited_)
+            data(collected_), data(bounds_), data(sum_), data(limited_)
         );
     }
-    for (const activeParts::range& r : active.edges())
-    {
-        kernels.limitedFlux
-        (
-            edges, r.from, r.to, data(limited_), signs_.data(), flux_.data(),
-            data(sum_)
-        );
-    }
-    exchange.sum(data(sum_), rowSize, n);
     acceptState(geometry, state);
 }
 
 
 template<int dim>
-std::vector<double> Foam::fluxCorrector<dim>::refusing
+void Foam::fluxCorrector<dim>::refuse
 (
     const gasGeometry<dim>& geometry,
     const gasState<dim>& state,
     const long found
 )
 {
-    std::vector<double> refuses(geometry.nRows(), 0.0);
     for (label a = 0; a < geometry.nNodes(); ++a)
     {
         const gasDynamics::State<dim> s = state.conserved(a);
         if (a == found || !gasDynamics::isPhysical<dim>(state.eos, s))
         {
-            refuses[a] = 1;
+            limited_[a] = uniformRow(0);
             ++nRefused_;
         }
     }
-    return refuses;
 }
 
 
@@ -168,16 +163,28 @@ void Foam::fluxCorrector<dim>::acceptState
     gasState<dim>& state
 )
 {
-    constexpr int n = gasKernel::place<dim>::nConserved;
     const gasKernel::edges edges = geometry.edges();
     const auto& kernels = gasKernel::gasKernels<dim>::best();
-    const sharedItems& exchange = geometry.mesh().exchange();
+    const activeParts& active = geometry.active();
     nRefused_ = 0;
 
     while (true)
     {
+        for (const activeParts::range& r : active.edges())
+        {
+            kernels.limitedFlux
+            (
+                edges, r.from, r.to, data(limited_), signs_.data(),
+                flux_.data(), data(sum_)
+            );
+        }
+        geometry.mesh().exchange().sum
+        (
+            data(sum_), gasKernel::rowSize, gasKernel::place<dim>::nConserved
+        );
+
         long bad = -1;
-        for (const activeParts::range& r : geometry.active().nodes())
+        for (const activeParts::range& r : active.nodes())
         {
             const long found = kernels.newState
             (
@@ -192,23 +199,9 @@ void Foam::fluxCorrector<dim>::acceptState
             return;
         }
 
-        const std::vector<double> refuses = refusing(geometry, state, bad);
-        std::fill(sum_.begin(), sum_.end(), uniformRow(0));
-        for (std::size_t e = 0; e < edges.n; ++e)
-        {
-            const int i = edges.first[e], j = edges.second[e];
-            for (int k = 0; k < n; ++k)
-            {
-                double& f = flux_[k*edges.n + e];
-                if (refuses[i] + refuses[j] > 0)
-                {
-                    f = 0;
-                }
-                sum_[i][k] -= f;
-                sum_[j][k] += f;
-            }
-        }
-        exchange.sum(data(sum_), gasKernel::rowSize, n);
+        // No share at a node: none of its edges passes anything
+        refuse(geometry, state, bad);
+        active.fill(sum_, uniformRow(0));
     }
 }
 

@@ -86,13 +86,13 @@ void Foam::gasRates<dim>::compute
     constexpr int rowSize = gasKernel::rowSize;
 
     sumEdges(geometry, state);
-    boundary.addFluxes(state, 1, rate);
+    boundary.setFluxes(state);
+    boundary.addFluxes(1, rate);
     boundary.addSources(state, 1, rate);
     if (viscous.valid())
     {
         viscous->addPresent(rate);
     }
-    boundary.closeForce(state, rate);
     const sharedItems& exchange = geometry.mesh().exchange();
     exchange.sum(data(rate), rowSize, n + dim);
     exchange.sum(data(difference), rowSize, n + 1);

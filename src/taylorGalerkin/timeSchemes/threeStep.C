@@ -228,7 +228,7 @@ void Foam::threeStep<dim>::step
 {
     rates.compute(geometry, boundary, state, dt);
     std::fill(residual_.begin(), residual_.end(), uniformRow(0));
-    boundary.addFluxes(state, dt, residual_);
+    boundary.addFluxes(dt, residual_);
     boundary.addSources(state, dt, residual_);
     if (rates.viscous.valid())
     {

@@ -90,7 +90,7 @@ void Foam::twoStep<dim>::viscousStep
           ? unphysicalEdge{edges.first[bad], edges.second[bad]}
           : unphysicalEdge{-1, -1};
     }
-    boundary.addFluxes(state, dt, residual_);
+    boundary.addFluxes(dt, residual_);
     boundary.addSources(state, dt, residual_);
     if (rates.viscous.valid())
     {
