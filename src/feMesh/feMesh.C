@@ -86,6 +86,10 @@ Foam::tmp<Foam::pointField> Foam::feMesh::cornerPositions
     const pointField& nodes
 ) const
 {
+    if (imageNode_.empty())
+    {
+        return tmp<pointField>(nodes);
+    }
     auto tcorners = tmp<pointField>::New(nCorners());
     pointField& corners = tcorners.ref();
     forAll(nodes, nodei)

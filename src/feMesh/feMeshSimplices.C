@@ -10,6 +10,35 @@
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
 
+namespace
+{
+
+//- Cells by their lowest node, so that loops over simplices go through nodes and
+//  edges as these are ordered
+Foam::labelList cellsByNodes
+(
+    const Foam::polyMesh& mesh,
+    const Foam::labelUList& nodeOfPoint
+)
+{
+    using namespace Foam;
+    labelList lowest(mesh.nCells(), labelMax);
+    forAll(lowest, celli)
+    {
+        for (const label facei : mesh.cells()[celli])
+        {
+            for (const label pointi : mesh.faces()[facei])
+            {
+                lowest[celli] = min(lowest[celli], nodeOfPoint[pointi]);
+            }
+        }
+    }
+    return sortedOrder(lowest);
+}
+
+} // End namespace
+
+
 Foam::labelList Foam::feMesh::faceCorners(const label facei) const
 {
     DynamicList<label> corners(4);
@@ -183,7 +212,7 @@ void Foam::feMesh::splitCells()
     DynamicList<label> cells(corners.capacity()/(dim_ + 1));
     DynamicList<label> points(24), unsplit;
 
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    for (const label celli : cellsByNodes(mesh_, nodeOfPoint_))
     {
         points.clear();
         splitKind kind(untouched);
@@ -202,6 +231,7 @@ void Foam::feMesh::splitCells()
             cells.append(celli);
         }
     }
+    sort(unsplit);
     reportUnsplit(unsplit);
 
     simplexCorners_.transfer(corners);

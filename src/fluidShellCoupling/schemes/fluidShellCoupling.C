@@ -167,6 +167,11 @@ Foam::scalar Foam::fluidShellCoupling::maxCo() const
 
 void Foam::fluidShellCoupling::setDeltaT()
 {
+    {
+        // Sums that the next gas step uses again
+        phaseTimes::timer timer(times_, phaseTimes::gas);
+        this->stable();
+    }
     const stableStep& stable = this->stable();
     scalar dt = time_.deltaTValue();
 
@@ -209,7 +214,11 @@ void Foam::fluidShellCoupling::setDeltaT()
 
 void Foam::fluidShellCoupling::write()
 {
-    gas_.updateFields();
+    // Function objects read the fields at the start of the next step
+    if (willWrite() || time_.controlDict().found("functions"))
+    {
+        gas_.updateFields();
+    }
     if (willWrite())
     {
         time_.writeNow();

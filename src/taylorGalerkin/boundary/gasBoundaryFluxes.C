@@ -327,6 +327,32 @@ void Foam::gasBoundary<dim>::halfStepFluxes
 
 
 template<int dim>
+template<class Visit>
+void Foam::gasBoundary<dim>::forExcess
+(
+    const bool everywhere,
+    const Visit& visit
+) const
+{
+    if (everywhere)
+    {
+        for (label a = 0; a < geometry_.nNodes(); ++a)
+        {
+            visit(a);
+        }
+        return;
+    }
+    for (const label a : boundaryNodes_)
+    {
+        if (!geometry_.active().asleep(a))
+        {
+            visit(a);
+        }
+    }
+}
+
+
+template<int dim>
 void Foam::gasBoundary<dim>::addExcess
 (
     const gasRows& excess,
@@ -335,29 +361,32 @@ void Foam::gasBoundary<dim>::addExcess
     gasRows& rate
 ) const
 {
-    auto add = [&](const label a)
+    forExcess(everywhere, [&](const label a)
     {
         const double perVolume = 1/(dt*meanVolume(a));
         for (int k = 0; k < gasKernel::place<dim>::nConserved; ++k)
         {
             rate[a][k] += perVolume*excess[a][k];
         }
-    };
-    if (everywhere)
+    });
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::addExcessSums
+(
+    const gasRows& excess,
+    const bool everywhere,
+    gasRows& sum
+) const
+{
+    forExcess(everywhere, [&](const label a)
     {
-        for (label a = 0; a < geometry_.nNodes(); ++a)
+        for (int k = 0; k < gasKernel::place<dim>::nConserved; ++k)
         {
-            add(a);
+            sum[a][k] += excess[a][k];
         }
-        return;
-    }
-    for (const label a : boundaryNodes_)
-    {
-        if (!geometry_.active().asleep(a))
-        {
-            add(a);
-        }
-    }
+    });
 }
 
 

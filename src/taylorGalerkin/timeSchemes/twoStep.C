@@ -98,37 +98,26 @@ void Foam::twoStep<dim>::viscousStep
     }
     exchange.sum(data(residual_), rowSize, n);
 
-    auto forActive = [&](auto&& visit)
+    // With the boundary's half-step fluxes, complete on all processors
+    boundary.addExcessSums
+    (
+        boundarySum_, state.hasGravity || rates.viscous.valid(), residual_
+    );
+
+    // What the state gains
+    auto divide = [&](const gasRows& sum, const gasRows* more)
     {
         for (const activeParts::range& r : active.nodes())
         {
-            for (label a = r.from; a < r.to && a < geometry.nNodes(); ++a)
-            {
-                visit(a);
-            }
+            kernels.changes
+            (
+                geometry.volumes(), r.from, r.to, data(sum),
+                more ? data(*more) : nullptr, data(state.rows), data(change_)
+            );
         }
-    };
-
-    // What the state gains, with the boundary's half-step fluxes
-    auto divide = [&](const gasRows& sum)
-    {
-        forActive([&](const label a)
-        {
-            const double perVolume = 1/geometry.newNodeVolume(a);
-            const double growth =
-                geometry.newNodeVolume(a) - geometry.nodeVolume(a);
-            for (int k = 0; k < n; ++k)
-            {
-                change_[a][k] = perVolume
-               *(
-                    sum[a][k] + boundarySum_[a][k]
-                  - growth*state.rows[a][k]
-                );
-            }
-        });
         boundary.constrainRates(change_, dt);
     };
-    divide(residual_);
+    divide(residual_, nullptr);
 
     for (label pass = 0; consistent_ && pass < massIterations_; ++pass)
     {
@@ -141,23 +130,13 @@ void Foam::twoStep<dim>::viscousStep
             );
         }
         exchange.sum(data(sum_), rowSize, n);
-        forActive([&](const label a)
-        {
-            for (int k = 0; k < n; ++k)
-            {
-                sum_[a][k] += residual_[a][k];
-            }
-        });
-        divide(sum_);
+        divide(sum_, &residual_);
     }
 
-    forActive([&](const label a)
+    for (const activeParts::range& r : active.nodes())
     {
-        for (int k = 0; k < n; ++k)
-        {
-            state.rows[a][k] += change_[a][k];
-        }
-    });
+        kernels.addChanges(r.from, r.to, data(change_), data(state.rows));
+    }
 }
 
 
