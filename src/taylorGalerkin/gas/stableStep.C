@@ -20,15 +20,30 @@ enum place
 
 using stepNumbers = FixedList<scalar, size>;
 
-//- The least step, with its place, the lower node of two that are the same
+//- Whether node a with its step comes before b: the shorter step or, of steps
+//  that differ by rounding, the lower node, so that any decomposition of a
+//  symmetric scene names the same one
+bool isFirst
+(
+    const scalar stepA,
+    const scalar a,
+    const scalar stepB,
+    const scalar b
+)
+{
+    const scalar rounding = 1e-10*min(stepA, stepB);
+    return
+        stepA < stepB - rounding || (stepA <= stepB + rounding && a < b);
+}
+
+//- The least step, with its place
 struct leastStep
 {
     stepNumbers operator()(const stepNumbers& a, const stepNumbers& b) const
     {
-        const bool first =
-            a[step] < b[step]
-         || (a[step] == b[step] && a[node] <= b[node]);
+        const bool first = isFirst(a[step], a[node], b[step], b[node]);
         stepNumbers result(first ? a : b);
+        result[step] = min(a[step], b[step]);
         result[greatest] = max(a[greatest], b[greatest]);
         result[sumOfAll] = a[sumOfAll] + b[sumOfAll];
         result[countOfAll] = a[countOfAll] + b[countOfAll];
@@ -73,6 +88,7 @@ Foam::blockStep Foam::findBlockStep
 )
 {
     const sharedItems& exchange = geometry.mesh().exchange();
+    const labelList& name = geometry.mesh().globalNode();
     const bool viscous = viscosity.size();
     const label end = min(label(rows.to), geometry.nNodes());
 
@@ -87,13 +103,17 @@ Foam::blockStep Foam::findBlockStep
         // Root of (dt c)^2 + dt d = 1, eq. (G12), or of dt c + dt d = 1
         const double dt =
             positive ? 1/(c + d) : 2/(d + std::sqrt(d*d + 4*c*c));
-        if (dt < result.deltaT)
+        if
+        (
+            result.node < 0
+         || isFirst(dt, name[a], result.deltaT, name[result.node])
+        )
         {
-            result.deltaT = dt;
             result.node = a;
             result.convection = c;
             result.diffusion = d;
         }
+        result.deltaT = min(result.deltaT, dt);
         result.maxConvection = max(result.maxConvection, c);
         if (exchange.owned(a))
         {
@@ -133,13 +153,24 @@ Foam::stableStep Foam::findStableStep
             );
         }
         const blockStep& block = blocks[b];
-        if (block.deltaT < result.deltaT)
+        if
+        (
+            block.node >= 0
+         && (
+                least < 0
+             || isFirst
+                (
+                    block.deltaT, mesh.globalNode()[block.node],
+                    result.deltaT, mesh.globalNode()[least]
+                )
+            )
+        )
         {
-            result.deltaT = block.deltaT;
             result.convection = block.convection;
             result.diffusion = block.diffusion;
             least = block.node;
         }
+        result.deltaT = min(result.deltaT, block.deltaT);
         result.maxConvection = max(result.maxConvection, block.maxConvection);
         sum += block.sum;
         count += block.count;
