@@ -166,9 +166,8 @@ def test_doubleMachReflection(tmp_path, table, numbers):
               DOUBLE["degrees"])
     table.add(name, mesh, "incident shock", incidents,
               f"{DOUBLE_MACH * DOUBLE_TIME:g}", DOUBLE["incident"])
-    table.add(name, mesh, "largest density", peaks, "does not fall by 2 %")
+    table.add(name, mesh, "largest density", peaks, "rises")
     assert abs(feet[-1] / exact - 1) < DOUBLE["foot"]
     assert abs(angles[-1] - np.degrees(chi)) < DOUBLE["degrees"]
     assert abs(incidents[-1] - DOUBLE_MACH * DOUBLE_TIME) < DOUBLE["incident"]
-    # Smooth extrema pass, so that the coarse mesh has most of it
-    assert peaks[-1] > 0.98 * peaks[0]
+    assert peaks[-1] > peaks[0]
