@@ -13,8 +13,8 @@
 namespace
 {
 
-//- Cells by their lowest node, so that loops over simplices go through nodes and
-//  edges as these are ordered
+//- Cells by their lowest node, so that loops over simplices go through nodes
+//  and edges as these are ordered
 Foam::labelList cellsByNodes
 (
     const Foam::polyMesh& mesh,

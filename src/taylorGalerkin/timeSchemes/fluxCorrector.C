@@ -107,19 +107,17 @@ void Foam::fluxCorrector<dim>::step
     (
         [&](const label a, const double T)
         {
+            using gasKernel::boundPlace;
             double* bounds =
                 data(collected_) + place::size*a + place::bounds;
             const double perEnergy = 1/(state.eos.Cv()*T);
             for (int k = 0; k < 2; ++k)
             {
                 const double slack = k == 0 ? slack_ : -slack_;
-                double& bound = bounds[gasKernel::boundPlace::rho + k];
-                bound = max
-                (
-                    bound,
-                    (1 + slack)*perEnergy*bounds[gasKernel::boundPlace::energy + k]
-                );
-                bounds[gasKernel::boundPlace::energy + k] = GREAT;
+                double& rho = bounds[boundPlace::rho + k];
+                double& energy = bounds[boundPlace::energy + k];
+                rho = max(rho, (1 + slack)*perEnergy*energy);
+                energy = GREAT;
             }
         }
     );
