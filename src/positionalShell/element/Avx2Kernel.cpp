@@ -10,20 +10,25 @@
 
 #define SHELL_KERNEL_NAMESPACE avx2
 #define SHELL_REGISTER_DOUBLES 4
-#include "BatchSums.hpp"
+#include "AssumedTangent.hpp"
 
 #pragma GCC pop_options
 
 namespace positionalShell
 {
 
-const BatchKernel* avx2Kernel()
+const BatchKernel* avx2Kernel(ElementForm form)
 {
-    static const BatchKernel kernel
+    static const BatchKernel displacement
     {
-        avx2::energy, avx2::force, avx2::addTangent
+        avx2::energy, avx2::force, avx2::addTangent, nullptr
     };
-    return &kernel;
+    static const BatchKernel assumedStrain
+    {
+        avx2::assumedEnergy, avx2::assumedForce, avx2::addAssumedTangent,
+        avx2::strainGap
+    };
+    return form == ElementForm::displacement ? &displacement : &assumedStrain;
 }
 
 } // namespace positionalShell
@@ -33,7 +38,7 @@ const BatchKernel* avx2Kernel()
 namespace positionalShell
 {
 
-const BatchKernel* avx2Kernel()
+const BatchKernel* avx2Kernel(ElementForm)
 {
     return nullptr;
 }

@@ -4,18 +4,23 @@
 
 #define SHELL_KERNEL_NAMESPACE baseline
 #define SHELL_REGISTER_DOUBLES 2
-#include "BatchSums.hpp"
+#include "AssumedTangent.hpp"
 
 namespace positionalShell
 {
 
-const BatchKernel& baselineKernel()
+const BatchKernel& baselineKernel(ElementForm form)
 {
-    static const BatchKernel kernel
+    static const BatchKernel displacement
     {
-        baseline::energy, baseline::force, baseline::addTangent
+        baseline::energy, baseline::force, baseline::addTangent, nullptr
     };
-    return kernel;
+    static const BatchKernel assumedStrain
+    {
+        baseline::assumedEnergy, baseline::assumedForce, baseline::addAssumedTangent,
+        baseline::strainGap
+    };
+    return form == ElementForm::displacement ? displacement : assumedStrain;
 }
 
 } // namespace positionalShell

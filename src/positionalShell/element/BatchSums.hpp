@@ -122,8 +122,10 @@ SHELL_INLINE void fieldTangent
         stress(batch, k, e, S, general);
         const LaneValues* C =
             batch.transforms.empty() ? batch.points[k].C : general;
+        Pack Q[6][3][3];
         tractions(b, S, t);
-        addFieldTangent(b, f, S, C, t, tangent.K);
+        stressDerivatives(b, C, Q);
+        addFieldTangent(b, f, S, Q, t, tangent.K);
     }
     for (int u = 0; u < F::size; ++u)
     {
@@ -193,6 +195,53 @@ SHELL_INLINE void pairColumn
     }
 }
 
+//- Weighted energy at a point
+SHELL_INLINE Pack pointEnergy
+(
+    const ElementBatch& batch,
+    std::size_t k,
+    const Pack* e
+)
+{
+    if (!batch.transforms.empty())
+    {
+        LaneValues strain[6];
+        LaneValues own;
+        for (int u = 0; u < 6; ++u) e[u].store(strain[u]);
+        generalEnergy(batch, k, strain, own);
+        return own;
+    }
+    Pack S[6];
+    Pack sum(0);
+    stress(batch, k, e, S, nullptr);
+    for (int u = 0; u < 6; ++u) sum += 0.5*(S[u]*e[u]);
+    return sum;
+}
+
+//- Force on the nodes from that on the fields of an area point; the first nodes may
+//  be left out
+SHELL_INLINE void addNodeForces
+(
+    const AreaPoint& point,
+    const Pack* s,
+    Pack* sum,
+    int firstNode = 0
+)
+{
+    for (int i = firstNode; i < nodesPerElement; ++i)
+    {
+        const double* phi = point.phi[i];
+        Pack* node = &sum[dofsPerNode*i];
+        for (int c = 0; c < 3; ++c)
+        {
+            node[c] += phi[1]*s[F::m1 + c] + phi[2]*s[F::m2 + c];
+            node[3 + c] += phi[0]*s[F::g + c] + phi[1]*s[F::g1 + c]
+                + phi[2]*s[F::g2 + c];
+        }
+        node[6] += phi[0]*s[F::a] + phi[1]*s[F::a1] + phi[2]*s[F::a2];
+    }
+}
+
 inline void energy
 (
     const ElementRule& rule,
@@ -215,20 +264,7 @@ inline void energy
                 baseVectors(f, batch.halfThickness, z.xi),
                 batch.points[k].metric, e
             );
-            if (batch.transforms.empty())
-            {
-                Pack S[6];
-                stress(batch, k, e, S, nullptr);
-                for (int u = 0; u < 6; ++u) sum += 0.5*(S[u]*e[u]);
-            }
-            else
-            {
-                LaneValues strain[6];
-                LaneValues own;
-                for (int u = 0; u < 6; ++u) e[u].store(strain[u]);
-                generalEnergy(batch, k, strain, own);
-                sum += own;
-            }
+            sum += pointEnergy(batch, k, e);
             ++k;
         }
     }
@@ -253,18 +289,7 @@ inline void force
         Pack s[F::size];
         interpolate(point, q, f);
         fieldForce(rule, batch, p*nThickness, f, s);
-        for (int i = 0; i < nodesPerElement; ++i)
-        {
-            const double* phi = point.phi[i];
-            Pack* node = &sum[dofsPerNode*i];
-            for (int c = 0; c < 3; ++c)
-            {
-                node[c] += phi[1]*s[F::m1 + c] + phi[2]*s[F::m2 + c];
-                node[3 + c] += phi[0]*s[F::g + c] + phi[1]*s[F::g1 + c]
-                    + phi[2]*s[F::g2 + c];
-            }
-            node[6] += phi[0]*s[F::a] + phi[1]*s[F::a1] + phi[2]*s[F::a2];
-        }
+        addNodeForces(point, s, sum);
     }
     for (int k = 0; k < dofsPerElement; ++k) sum[k].store(result.x[k]);
 }

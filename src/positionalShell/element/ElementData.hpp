@@ -22,15 +22,16 @@ class ElementData
 public:
 
     //- The mesh must live as long as this object. Throws std::invalid_argument,
-    //  naming the element, where the body folds over: thickness too large for
-    //  the curvature.
+    //  naming the element, where the body folds over (thickness too large for
+    //  the curvature) and where a section's axis is normal to the shell.
     ElementData
     (
         const ShellMesh& mesh,
         const std::vector<Section>& sections,
         const std::vector<int>& sectionOfElement,
         int areaPoints,
-        int thicknessPoints
+        int thicknessPoints,
+        ElementForm form
     );
 
     double energy(const Vector& q) const;
@@ -51,7 +52,13 @@ private:
         const Section& section,
         const std::vector<int>& elements
     );
-    void setReference(const Vector& q0, ElementBatch& batch, int lane);
+    void setReference
+    (
+        const Vector& q0,
+        const Section& section,
+        ElementBatch& batch,
+        int lane
+    );
     void gather(const ElementBatch&, const Vector& q, ElementVector&) const;
 };
 

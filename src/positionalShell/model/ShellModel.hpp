@@ -11,6 +11,7 @@
 #define positionalShell_ShellModel_hpp
 
 #include "DofMap.hpp"
+#include "ElementForm.hpp"
 #include "Section.hpp"
 #include "ShellMesh.hpp"
 #include "ShellState.hpp"
@@ -26,7 +27,7 @@ class ElementData;
 
 struct IntegrationOptions
 {
-    int areaPoints = 7;         // triangleRule: 7, 12, 16, 25
+    int areaPoints = 7;         // triangleRule: 6, 7, 12, 16, 25
     int thicknessPoints = 3;    // gaussRule: 2 ... 10
 };
 
@@ -43,7 +44,8 @@ public:
         ShellMesh mesh,
         std::vector<Section> sections,
         DofMap dofs,
-        IntegrationOptions integration = {}
+        IntegrationOptions integration = {},
+        ElementForm form = ElementForm::displacement
     );
 
     ~ShellModel();
@@ -58,6 +60,7 @@ public:
         const Section& section(int element) const;
         double thickness(int element) const { return section(element).thickness; }
         const IntegrationOptions& integration() const { return integration_; }
+        ElementForm elementForm() const { return form_; }
 
         //- Initial state at rest; prescribed unknowns at their values of time t
         ShellState initialState(double t = 0) const;
@@ -121,6 +124,7 @@ private:
     std::vector<Section> sections_;
     DofMap dofs_;
     IntegrationOptions integration_;
+    ElementForm form_;
     std::vector<int> sectionOfElement_;
     std::unique_ptr<ElementData> elements_;
     std::shared_ptr<const SparsityMap> sparsity_;

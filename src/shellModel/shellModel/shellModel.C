@@ -27,6 +27,29 @@ static bool readDynamic(const Foam::dictionary& properties)
 }
 
 
+static positionalShell::ElementForm readElementForm
+(
+    const Foam::dictionary& properties
+)
+{
+    using positionalShell::ElementForm;
+
+    if (!properties.found("elementForm"))
+    {
+        return ElementForm::displacement;
+    }
+    Foam::wordList names;
+    for (const std::string& name : positionalShell::elementFormNames())
+    {
+        names.append(name);
+    }
+    return static_cast<ElementForm>
+    (
+        Foam::selectEntry(properties, "elementForm", names)
+    );
+}
+
+
 static positionalShell::IntegrationOptions readIntegration
 (
     const Foam::dictionary& properties
@@ -98,6 +121,7 @@ void Foam::shellModel::makeModel()
         readShellConstraints(constraints, mesh, dynamic_)
     );
     const auto integration = readIntegration(properties_);
+    const auto form = readElementForm(properties_);
 
     rejectedIn(sections, [&]
     {
@@ -105,7 +129,8 @@ void Foam::shellModel::makeModel()
         (
             new positionalShell::ShellModel
             (
-                std::move(mesh), std::move(parts), std::move(dofs), integration
+                std::move(mesh), std::move(parts), std::move(dofs),
+                integration, form
             )
         );
     });
@@ -203,7 +228,8 @@ Foam::shellModel::shellModel(const objectRegistry& db)
         properties_,
         {
             "mesh", "sections", "constraints", "loads", "analysis",
-            "timeIntegrator", "massDamping", "newton", "integration", "vtk"
+            "timeIntegrator", "massDamping", "newton", "elementForm",
+            "integration", "vtk"
         }
     );
 
