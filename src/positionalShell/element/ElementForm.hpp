@@ -7,6 +7,8 @@
 //     assumedStrain   membrane and transverse shear strains of the mid-surface and
 //                     the stretch of the thickness are interpolated anew, (A3)-(A8):
 //                     thin curved shells do not lock
+//
+// ShellModel's default is that of the paper, the applications' is assumedStrain.
 
 #ifndef positionalShell_ElementForm_hpp
 #define positionalShell_ElementForm_hpp

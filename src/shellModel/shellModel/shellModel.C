@@ -36,7 +36,7 @@ static positionalShell::ElementForm readElementForm
 
     if (!properties.found("elementForm"))
     {
-        return ElementForm::displacement;
+        return ElementForm::assumedStrain;
     }
     Foam::wordList names;
     for (const std::string& name : positionalShell::elementFormNames())
