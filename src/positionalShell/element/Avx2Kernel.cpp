@@ -11,6 +11,7 @@
 #define SHELL_KERNEL_NAMESPACE avx2
 #define SHELL_REGISTER_DOUBLES 4
 #include "BatchSums.hpp"
+#include "TwoStateSums.hpp"
 
 #pragma GCC pop_options
 
@@ -21,7 +22,9 @@ const BatchKernel* avx2Kernel()
 {
     static const BatchKernel kernel
     {
-        avx2::energy, avx2::force, avx2::addTangent
+        avx2::energy, avx2::force, avx2::addTangent,
+        avx2::addExtrapolatedTangent, avx2::conservingForce,
+        avx2::addConservingTangent
     };
     return &kernel;
 }

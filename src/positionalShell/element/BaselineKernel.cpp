@@ -5,6 +5,7 @@
 #define SHELL_KERNEL_NAMESPACE baseline
 #define SHELL_REGISTER_DOUBLES 2
 #include "BatchSums.hpp"
+#include "TwoStateSums.hpp"
 
 namespace positionalShell
 {
@@ -13,7 +14,9 @@ const BatchKernel& baselineKernel()
 {
     static const BatchKernel kernel
     {
-        baseline::energy, baseline::force, baseline::addTangent
+        baseline::energy, baseline::force, baseline::addTangent,
+        baseline::addExtrapolatedTangent, baseline::conservingForce,
+        baseline::addConservingTangent
     };
     return kernel;
 }

@@ -235,28 +235,22 @@ inline void energy
     sum.store(result);
 }
 
-inline void force
-(
-    const ElementRule& rule,
-    const ElementBatch& batch,
-    const ElementVector& q,
-    ElementVector& result
-)
+//- Forces of the nodes from those of the fields, (S11)
+struct NodalSums
 {
-    const std::size_t nThickness = rule.thickness.size();
-    Pack sum[dofsPerElement];
-    for (Pack& x : sum) x = Pack(0);
-    for (std::size_t p = 0; p < rule.area.size(); ++p)
+    Pack x[dofsPerElement];
+
+    SHELL_INLINE NodalSums()
     {
-        const AreaPoint& point = rule.area[p];
-        Pack f[F::size];
-        Pack s[F::size];
-        interpolate(point, q, f);
-        fieldForce(rule, batch, p*nThickness, f, s);
+        for (Pack& own : x) own = Pack(0);
+    }
+
+    SHELL_INLINE void add(const AreaPoint& point, const Pack* s)
+    {
         for (int i = 0; i < nodesPerElement; ++i)
         {
             const double* phi = point.phi[i];
-            Pack* node = &sum[dofsPerNode*i];
+            Pack* node = &x[dofsPerNode*i];
             for (int c = 0; c < 3; ++c)
             {
                 node[c] += phi[1]*s[F::m1 + c] + phi[2]*s[F::m2 + c];
@@ -266,26 +260,44 @@ inline void force
             node[6] += phi[0]*s[F::a] + phi[1]*s[F::a1] + phi[2]*s[F::a2];
         }
     }
-    for (int k = 0; k < dofsPerElement; ++k) sum[k].store(result.x[k]);
-}
 
-inline void addTangent
+    SHELL_INLINE void store(ElementVector& result) const
+    {
+        for (int k = 0; k < dofsPerElement; ++k) x[k].store(result.x[k]);
+    }
+};
+
+inline void force
 (
     const ElementRule& rule,
     const ElementBatch& batch,
     const ElementVector& q,
+    ElementVector& result
+)
+{
+    const std::size_t nThickness = rule.thickness.size();
+    NodalSums sum;
+    for (std::size_t p = 0; p < rule.area.size(); ++p)
+    {
+        Pack f[F::size];
+        Pack s[F::size];
+        interpolate(rule.area[p], q, f);
+        fieldForce(rule, batch, p*nThickness, f, s);
+        sum.add(rule.area[p], s);
+    }
+    sum.store(result);
+}
+
+//- K += (fields of node i)^T (field tangents) (fields of node j), (S14)
+inline void addNodePairs
+(
+    const ElementRule& rule,
+    const ElementBatch& batch,
+    const std::vector<FieldTangent>& tangents,
     SystemMatrix& K
 )
 {
     const std::size_t nArea = rule.area.size();
-    const std::size_t nThickness = rule.thickness.size();
-    std::vector<FieldTangent> tangents(nArea);
-    for (std::size_t p = 0; p < nArea; ++p)
-    {
-        Pack f[F::size];
-        interpolate(rule.area[p], q, f);
-        fieldTangent(rule, batch, p*nThickness, f, tangents[p]);
-    }
 
     // Node by node, so that what is worked on stays in the first-level cache
     std::vector<NodeColumns> columns(nArea);
@@ -310,6 +322,26 @@ inline void addTangent
             scatterBlock(batch, i, j, block, K);
         }
     }
+}
+
+inline void addTangent
+(
+    const ElementRule& rule,
+    const ElementBatch& batch,
+    const ElementVector& q,
+    SystemMatrix& K
+)
+{
+    const std::size_t nArea = rule.area.size();
+    const std::size_t nThickness = rule.thickness.size();
+    std::vector<FieldTangent> tangents(nArea);
+    for (std::size_t p = 0; p < nArea; ++p)
+    {
+        Pack f[F::size];
+        interpolate(rule.area[p], q, f);
+        fieldTangent(rule, batch, p*nThickness, f, tangents[p]);
+    }
+    addNodePairs(rule, batch, tangents, K);
 }
 
 } // namespace SHELL_KERNEL_NAMESPACE

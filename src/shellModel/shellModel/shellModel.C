@@ -52,6 +52,7 @@ Foam::shellModel::instant::instant(const instant& other)
 :
     state(other.state),
     externalForce(other.externalForce),
+    memory(other.memory),
     account
     (
         other.account
@@ -70,6 +71,7 @@ Foam::shellModel::instant& Foam::shellModel::instant::operator=
     instant copy(other);
     std::swap(state, copy.state);
     std::swap(externalForce, copy.externalForce);
+    std::swap(memory, copy.memory);
     std::swap(account, copy.account);
     std::swap(report, copy.report);
     return *this;
@@ -142,6 +144,7 @@ void Foam::shellModel::start()
         const shellRestart restart(readShellState(runTime_, timeName, nDofs()));
         now_.state = restart.state;
         now_.externalForce = restart.externalForce;
+        now_.memory = restart.memory;
         earlier_ = restart.energies;
         startAccount();
     }
@@ -203,7 +206,8 @@ Foam::shellModel::shellModel(const objectRegistry& db)
         properties_,
         {
             "mesh", "sections", "constraints", "loads", "analysis",
-            "timeIntegrator", "massDamping", "newton", "integration", "vtk"
+            "timeIntegrator", "massDamping", "errorTolerance", "newton",
+            "integration", "vtk"
         }
     );
 
