@@ -118,18 +118,21 @@ void Foam::shellModel::makeModel()
 
 void Foam::shellModel::makeIntegrator()
 {
-    integrator_ = shellIntegrator::New
+    const word keyword(dynamic_ ? "timeIntegrator" : "staticMethod");
+    const word type
     (
-        dynamic_ ? properties_.get<word>("timeIntegrator") : word("loadSteps"),
-        *model_,
-        properties_
+        dynamic_
+      ? properties_.get<word>(keyword)
+      : properties_.lookupOrDefault<word>(keyword, "loadSteps")
     );
+    integrator_ = shellIntegrator::New(keyword, type, *model_, properties_);
 
     if (integrator_->dynamic() != dynamic_)
     {
         FatalIOErrorInFunction(properties_)
-            << "timeIntegrator " << integrator_->type()
-            << " is for statics; set analysis static, or select another" << nl
+            << keyword << ' ' << type << " is for "
+            << (dynamic_ ? "statics; set analysis static" : "dynamics")
+            << ", or select another" << nl
             << exit(FatalIOError);
     }
 }
@@ -206,8 +209,8 @@ Foam::shellModel::shellModel(const objectRegistry& db)
         properties_,
         {
             "mesh", "sections", "constraints", "loads", "analysis",
-            "timeIntegrator", "massDamping", "errorTolerance", "newton",
-            "integration", "vtk"
+            "timeIntegrator", "staticMethod", "massDamping", "errorTolerance",
+            "newton", "integration", "vtk"
         }
     );
 

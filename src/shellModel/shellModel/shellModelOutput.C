@@ -71,6 +71,10 @@ void Foam::shellModel::reportStep(Ostream& os) const
         << ", Initial residual = " << r.initialResidual
         << ", Final residual = " << r.residual
         << ", No Iterations " << r.iterations << nl;
+    if (integrator_->ownParameter())
+    {
+        os  << "Shell: load parameter = " << now_.state.time << nl;
+    }
     if (r.steps > 1)
     {
         os  << "Shell: taken in " << r.steps << " steps" << nl;

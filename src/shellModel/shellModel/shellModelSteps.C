@@ -73,7 +73,16 @@ void Foam::shellModel::stopAfterStep
 ) const
 {
     const scalar t = now_.state.time;
-    const word timeName(Time::timeName(t));
+    const bool ownParameter = integrator_->ownParameter();
+    const word timeName
+    (
+        Time::timeName
+        (
+            ownParameter
+          ? runTime_.value() - runTime_.deltaTValue()
+          : t
+        )
+    );
 
     // The start of a run is on disk or is the state of rest
     string lastGood("the start of this run");
@@ -84,8 +93,11 @@ void Foam::shellModel::stopAfterStep
     }
 
     FatalErrorInFunction
-        << "The shell's step from time " << t << " to " << t + dt
-        << " failed:" << nl
+        << "The shell's step from "
+        << (ownParameter ? "load parameter " : "time ") << t
+        << (ownParameter ? " (first increment " : " to ")
+        << (ownParameter ? dt : t + dt)
+        << (ownParameter ? ")" : "") << " failed:" << nl
         << problem.c_str() << nl
         << "    The last good state is " << lastGood.c_str() << nl
         << "    Reduce deltaT in system/controlDict"
