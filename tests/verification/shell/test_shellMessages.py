@@ -56,6 +56,10 @@ def line(file, text):
      ["Unknown keyword factr", "elementSet traction type factor"]),
     ("traction    (0 0 0.4);", "traction (0 0 1); factor ramp;",
      ["Unknown Function1 type ramp", "polynomial"]),
+    ("type        traction;\n        traction    (0 0 0.4);",
+     "type blastWave; centre (5 0 5); referenceDistance 5; peak 1;\n"
+     "arrival 0; speed 400; duration -1; decay 1;",
+     ["blast wave: duration", "not positive"]),
     ("analysis        dynamic;", "analysis        dynamical;",
      ["Unknown analysis dynamical", "dynamic static"]),
     ("timeIntegrator  Newmark;", "timeIntegrator  Euler;",
