@@ -11,7 +11,8 @@ namespace positionalShell
 namespace SHELL_KERNEL_NAMESPACE
 {
 
-//- What the assumed strains of a state are made from, and their gap
+//- What the assumed strains of a state are made from, and the gap that belongs to its
+//  stress: its own unless said otherwise
 struct AssumedState
 {
     Pack f[maxAreaPoints][F::size];
@@ -19,10 +20,10 @@ struct AssumedState
     MidStrain gap[maxAreaPoints];
 };
 
-inline void makeState
+//- All but the gap
+inline void makeFields
 (
     const ElementRule& rule,
-    const ElementBatch& batch,
     const ElementVector& q,
     AssumedState& state
 )
@@ -35,6 +36,17 @@ inline void makeState
     {
         state.edges[s] = edgeVectors(rule.assumed.edge[s], q);
     }
+}
+
+inline void makeState
+(
+    const ElementRule& rule,
+    const ElementBatch& batch,
+    const ElementVector& q,
+    AssumedState& state
+)
+{
+    makeFields(rule, q, state);
     stateGap(rule, batch, q, state.f, state.edges, state.gap);
     if (batch.gaps.empty()) return;
     for (std::size_t p = 0; p < rule.area.size(); ++p)
@@ -164,6 +176,35 @@ SHELL_INLINE void addSampleForce
     }
 }
 
+//- Force on the unknowns of what works on fields and on gap, (A9); changes what is
+//  given for the fields
+inline void assembleForce
+(
+    const ElementRule& rule,
+    const ElementBatch& batch,
+    const ElementVector& q,
+    const AssumedState& state,
+    const MidStrain* onGap,
+    Pack (*fieldForce)[F::size],
+    ElementVector& result
+)
+{
+    MidSamples samples;
+    stressOnSamples(rule, onGap, samples);
+
+    NodalSums sum;
+    for (std::size_t p = 0; p < rule.area.size(); ++p)
+    {
+        addAreaForce
+        (
+            state.f[p], samples.area[p], batch.halfThickness, fieldForce[p]
+        );
+        sum.add(rule.area[p], fieldForce[p]);
+    }
+    addSampleForce(rule, batch, q, state.edges, samples, sum.x);
+    sum.store(result);
+}
+
 inline void assumedForce
 (
     const ElementRule& rule,
@@ -180,21 +221,7 @@ inline void assumedForce
     {
         onGap[p] = fieldForceAndStress(rule, batch, state, p, fieldForce[p]);
     }
-    MidSamples samples;
-    stressOnSamples(rule, onGap, samples);
-
-    Pack sum[dofsPerElement];
-    for (Pack& x : sum) x = Pack(0);
-    for (std::size_t p = 0; p < rule.area.size(); ++p)
-    {
-        addAreaForce
-        (
-            state.f[p], samples.area[p], batch.halfThickness, fieldForce[p]
-        );
-        addNodeForces(rule.area[p], fieldForce[p], sum);
-    }
-    addSampleForce(rule, batch, q, state.edges, samples, sum);
-    for (int k = 0; k < dofsPerElement; ++k) sum[k].store(result.x[k]);
+    assembleForce(rule, batch, q, state, onGap, fieldForce, result);
 }
 
 } // namespace SHELL_KERNEL_NAMESPACE

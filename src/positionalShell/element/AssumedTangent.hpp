@@ -57,13 +57,16 @@ SHELL_INLINE void addStressDerivatives
     }
 }
 
-//- Sums through the thickness; returns the stress on the gap
+//- Sums through the thickness; returns the stress on the gap. strain(p, k, zeta, b, e):
+//  what the gap of the state is added to
+template<class StrainAt>
 inline MidStrain assumedPoint
 (
     const ElementRule& rule,
     const ElementBatch& batch,
     const AssumedState& state,
     std::size_t p,
+    const StrainAt& strain,
     AssumedPoint& point
 )
 {
@@ -74,15 +77,15 @@ inline MidStrain assumedPoint
     for (std::size_t z = 0; z < rule.thickness.size(); ++z)
     {
         const std::size_t k = p*rule.thickness.size() + z;
+        const double zeta = rule.thickness[z].xi;
         const Pack* f = state.f[p];
-        const BaseVectors b =
-            baseVectors(f, batch.halfThickness, rule.thickness[z].xi);
+        const BaseVectors b = baseVectors(f, batch.halfThickness, zeta);
         Pack e[6];
         Pack S[6];
         Pack t[3][3];
         Pack Q[6][3][3];
         LaneValues general[21];
-        covariantStrain(b, batch.points[k].metric, e);
+        strain(p, k, zeta, b, e);
         addToStrain(state.gap[p], e);
         stress(batch, k, e, S, general);
         const LaneValues* C =
@@ -327,23 +330,25 @@ SHELL_INLINE void assumedColumn
     if (c < 6) addSampleStiffness(rule, batch, stress, j, c, rows);
 }
 
-inline void addAssumedTangent
+//- K += factor times the tangent at q with the stress of strain and gap
+template<class StrainAt>
+inline void addAssumedTangentWith
 (
     const ElementRule& rule,
     const ElementBatch& batch,
     const ElementVector& q,
+    const AssumedState& state,
+    const StrainAt& strain,
+    double factor,
     SystemMatrix& K
 )
 {
     const std::size_t nArea = rule.area.size();
-    AssumedState state;
-    makeState(rule, batch, q, state);
-
     std::vector<AssumedPoint> points(nArea);
     MidStrain onGap[maxAreaPoints];
     for (std::size_t p = 0; p < nArea; ++p)
     {
-        onGap[p] = assumedPoint(rule, batch, state, p, points[p]);
+        onGap[p] = assumedPoint(rule, batch, state, p, strain, points[p]);
     }
     MidSamples stress;
     stressOnSamples(rule, onGap, stress);
@@ -368,7 +373,10 @@ inline void addAssumedTangent
             );
             for (int i = j; i < nodesPerElement; ++i)
             {
-                for (int r = 0; r < n; ++r) rows[n*i + r].store(blocks[i][n*c + r]);
+                for (int r = 0; r < n; ++r)
+                {
+                    (factor*rows[n*i + r]).store(blocks[i][n*c + r]);
+                }
             }
         }
         for (int i = j; i < nodesPerElement; ++i)
@@ -376,6 +384,28 @@ inline void addAssumedTangent
             scatterBlock(batch, i, j, blocks[i], K);
         }
     }
+}
+
+inline void addAssumedTangent
+(
+    const ElementRule& rule,
+    const ElementBatch& batch,
+    const ElementVector& q,
+    SystemMatrix& K
+)
+{
+    AssumedState state;
+    makeState(rule, batch, q, state);
+    const auto own = ownStrain(batch);
+    addAssumedTangentWith
+    (
+        rule, batch, q, state,
+        [&own](std::size_t, std::size_t k, double zeta, const BaseVectors& b, Pack* e)
+        {
+            own(k, zeta, b, e);
+        },
+        1, K
+    );
 }
 
 } // namespace SHELL_KERNEL_NAMESPACE

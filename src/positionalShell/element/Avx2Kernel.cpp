@@ -10,7 +10,7 @@
 
 #define SHELL_KERNEL_NAMESPACE avx2
 #define SHELL_REGISTER_DOUBLES 4
-#include "AssumedTangent.hpp"
+#include "AssumedTwoStates.hpp"
 
 #pragma GCC pop_options
 
@@ -21,12 +21,15 @@ const BatchKernel* avx2Kernel(ElementForm form)
 {
     static const BatchKernel displacement
     {
-        avx2::energy, avx2::force, avx2::addTangent, nullptr
+        avx2::energy, avx2::force, avx2::addTangent,
+        avx2::addExtrapolatedTangent, avx2::conservingForce,
+        avx2::addConservingTangent, nullptr
     };
     static const BatchKernel assumedStrain
     {
         avx2::assumedEnergy, avx2::assumedForce, avx2::addAssumedTangent,
-        avx2::strainGap
+        avx2::addExtrapolatedAssumedTangent, avx2::assumedConservingForce,
+        avx2::addConservingAssumedTangent, avx2::strainGap
     };
     return form == ElementForm::displacement ? &displacement : &assumedStrain;
 }

@@ -4,7 +4,7 @@
 
 #define SHELL_KERNEL_NAMESPACE baseline
 #define SHELL_REGISTER_DOUBLES 2
-#include "AssumedTangent.hpp"
+#include "AssumedTwoStates.hpp"
 
 namespace positionalShell
 {
@@ -13,12 +13,15 @@ const BatchKernel& baselineKernel(ElementForm form)
 {
     static const BatchKernel displacement
     {
-        baseline::energy, baseline::force, baseline::addTangent, nullptr
+        baseline::energy, baseline::force, baseline::addTangent,
+        baseline::addExtrapolatedTangent, baseline::conservingForce,
+        baseline::addConservingTangent, nullptr
     };
     static const BatchKernel assumedStrain
     {
         baseline::assumedEnergy, baseline::assumedForce, baseline::addAssumedTangent,
-        baseline::strainGap
+        baseline::addExtrapolatedAssumedTangent, baseline::assumedConservingForce,
+        baseline::addConservingAssumedTangent, baseline::strainGap
     };
     return form == ElementForm::displacement ? displacement : assumedStrain;
 }

@@ -154,6 +154,28 @@ struct BatchKernel
         SystemMatrix& K
     );
 
+    //- The same with the stress at one state, extrapolated to another, (N3)
+    void (*addExtrapolatedTangent)
+    (
+        const ElementRule&, const ElementBatch&, const ElementVector& before,
+        const ElementVector& after, const ElementVector& q, SystemMatrix& K
+    );
+
+    //- Force that does the work U(end) - U(start) on the way, (T8)-(T10)
+    void (*conservingForce)
+    (
+        const ElementRule&, const ElementBatch&, const ElementVector& start,
+        const ElementVector& end, ElementVector& force
+    );
+
+    //- Its symmetric tangent with respect to the end, (T11)
+    void (*addConservingTangent)
+    (
+        const ElementRule&, const ElementBatch&, const ElementVector& start,
+        const ElementVector& before, const ElementVector& after,
+        const ElementVector& end, SystemMatrix& K
+    );
+
     //- Gap between assumed and compatible strains of a state, by area point;
     //  null for the displacement form
     void (*gap)

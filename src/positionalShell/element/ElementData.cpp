@@ -308,6 +308,27 @@ double ElementData::energy(const Vector& q) const
     return sum;
 }
 
+void ElementData::scatter
+(
+    const ElementBatch& batch,
+    const ElementVector& force,
+    Vector& f
+) const
+{
+    for (int l = 0; l < batch.nElements; ++l)
+    {
+        const Triangle& triangle = mesh_.triangle(batch.elements[l]);
+        for (int j = 0; j < nodesPerElement; ++j)
+        {
+            double* node = f.data() + dofsPerNode*triangle[j];
+            for (int c = 0; c < dofsPerNode; ++c)
+            {
+                node[c] += force.x[dofsPerNode*j + c].lane[l];
+            }
+        }
+    }
+}
+
 void ElementData::addForce(const Vector& q, Vector& f) const
 {
     ElementVector own;
@@ -316,18 +337,7 @@ void ElementData::addForce(const Vector& q, Vector& f) const
     {
         gather(batch, q, own);
         kernel_.force(rule_, batch, own, force);
-        for (int l = 0; l < batch.nElements; ++l)
-        {
-            const Triangle& triangle = mesh_.triangle(batch.elements[l]);
-            for (int j = 0; j < nodesPerElement; ++j)
-            {
-                double* node = f.data() + dofsPerNode*triangle[j];
-                for (int c = 0; c < dofsPerNode; ++c)
-                {
-                    node[c] += force.x[dofsPerNode*j + c].lane[l];
-                }
-            }
-        }
+        scatter(batch, force, f);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "ElementBatch.hpp"
 #include "Section.hpp"
 #include "ShellMesh.hpp"
+#include "StressPrediction.hpp"
 
 #include <vector>
 
@@ -39,6 +40,23 @@ public:
     void addTangent(const Vector& q, SystemMatrix& K) const;
     double leastVolumeRatio(const Vector& q) const;
 
+    // Two states (ElementDataTwoStates.cpp), see BatchKernel
+
+        void addExtrapolatedTangent
+        (
+            const StressPrediction& stress, const Vector& q,
+            SystemMatrix& K
+        ) const;
+        void addConservingForce
+        (
+            const Vector& start, const Vector& end, Vector& f
+        ) const;
+        void addConservingTangent
+        (
+            const StressPrediction& endStress, const Vector& start,
+            const Vector& end, SystemMatrix& K
+        ) const;
+
 private:
 
     const ShellMesh& mesh_;
@@ -60,6 +78,7 @@ private:
         int lane
     );
     void gather(const ElementBatch&, const Vector& q, ElementVector&) const;
+    void scatter(const ElementBatch&, const ElementVector&, Vector& f) const;
 };
 
 } // namespace positionalShell

@@ -239,6 +239,37 @@ void ShellModel::addTangent(const Vector& q, SystemMatrix& K) const
     elements_->addTangent(q, K);
 }
 
+void ShellModel::addTangent
+(
+    const StressPrediction& stress,
+    const Vector& q,
+    SystemMatrix& K
+) const
+{
+    elements_->addExtrapolatedTangent(stress, q, K);
+}
+
+void ShellModel::addConservingForce
+(
+    const Vector& start,
+    const Vector& end,
+    Vector& force
+) const
+{
+    elements_->addConservingForce(start, end, force);
+}
+
+void ShellModel::addConservingTangent
+(
+    const StressPrediction& endStress,
+    const Vector& start,
+    const Vector& end,
+    SystemMatrix& K
+) const
+{
+    elements_->addConservingTangent(endStress, start, end, K);
+}
+
 SparseMatrix ShellModel::tangent(const Vector& q) const
 {
     SystemMatrix K = makeMatrix();

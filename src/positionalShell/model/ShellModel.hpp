@@ -15,6 +15,7 @@
 #include "Section.hpp"
 #include "ShellMesh.hpp"
 #include "ShellState.hpp"
+#include "StressPrediction.hpp"
 #include "SystemMatrix.hpp"
 
 #include <memory>
@@ -76,6 +77,29 @@ public:
 
         //- K += d2U/dq2 on equations; lower triangle (see SystemMatrix)
         void addTangent(const Vector& q, SystemMatrix& K) const;
+
+        //- The same with a predicted stress, (N3): free of the membrane forces
+        //  that an increment of bending makes; the same as above where the
+        //  prediction is for q and starts there
+        void addTangent
+        (
+            const StressPrediction& stress, const Vector& q, SystemMatrix& K
+        ) const;
+
+        //- Force between two states with force*(end - start) = U(end) - U(start)
+        //  and the symmetries of the energy, (T8)-(T10); for
+        //  linear materials
+        void addConservingForce
+        (
+            const Vector& start, const Vector& end, Vector& force
+        ) const;
+
+        //- K += its symmetric tangent by the end, (T11)
+        void addConservingTangent
+        (
+            const StressPrediction& endStress, const Vector& start,
+            const Vector& end, SystemMatrix& K
+        ) const;
 
         //- The whole symmetric tangent on equations
         SparseMatrix tangent(const Vector& q) const;

@@ -24,11 +24,23 @@ def readTable(name):
     return np.genfromtxt(lines, delimiter=",", names=True)
 
 
-@pytest.mark.parametrize("load", ["dead", "follower"])
-def test_strip_moves_as_a_geometrically_exact_beam(tmp_path, load):
+def setEntry(case, old, new):
+    """Replace text of shellProperties that is there."""
+    path = case.path / "constant" / "shellProperties"
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+
+
+@pytest.mark.parametrize("load,integrator", [
+    ("dead", "Newmark"), ("follower", "Newmark"),
+    ("dead", "generalisedAlpha"), ("follower", "energyMomentum"),
+])
+def test_strip_moves_as_a_geometrically_exact_beam(tmp_path, load, integrator):
     """Tip within 0.5 % of the greatest deflection at every time up to the
     first peak and beyond."""
     case = strip(tmp_path / "strip")
+    setEntry(case, "Newmark;", f"{integrator};")
     if load == "follower":
         path = case.path / "constant" / "shellProperties"
         text = path.read_text()
@@ -81,6 +93,64 @@ def test_restart_continues_as_if_it_had_not_stopped(tmp_path):
         readSeries(parts.path / "VTK" / "shell.pvd")
         == readSeries(whole.path / "VTK" / "shell.pvd")
     )
+
+
+def test_steps_from_an_error_estimate_restart_as_if_not_stopped(tmp_path):
+    """The length of the next step is part of the restart state."""
+    runs = []
+    for ends in (["0.1"], ["0.05", "0.1"]):
+        case = strip(tmp_path / f"runs{len(ends)}")
+        setEntry(case, "Newmark;", "generalisedAlpha;\nerrorTolerance 1e-5;")
+        case.set("system/controlDict", "deltaT", "0.05")
+        case.set("system/controlDict", "writeInterval", "1")
+        for end in ends:
+            case.set("system/controlDict", "endTime", end)
+            log = case.run("positionalShellFoam", log=f"log.{end}")
+        assert "Shell: taken in" in log
+        runs.append(readState(case, "0.1"))
+    for name, values in runs[0].items():
+        np.testing.assert_array_equal(values, runs[1][name], err_msg=name)
+
+
+def test_path_by_arc_length(tmp_path):
+    """Published end shear (source: Sze, Liu and Lo 2004, 3.1: elastica, tip
+    at W = 6.700, U = 3.289 for the load 4) as a path; its restart."""
+    runs = []
+    for ends in (["6"], ["2.5", "6"]):
+        case = strip(tmp_path / f"runs{len(ends)}")
+        setEntry(case, TRACTION, "type edge; nodeSet tip;\n"
+                 "        forcePerLength (0 0 4);"
+                 " factor polynomial ((0.1 1));")
+        setEntry(case, "analysis        dynamic;\ntimeIntegrator  Newmark;",
+                 "analysis static;\nstaticMethod arcLength;\n"
+                 "arcLengthCoeffs { maxGrowth 1; }")
+        case.set("system/controlDict", "deltaT", "0.5")
+        case.set("system/controlDict", "writeInterval", "1")
+        for end in ends:
+            case.set("system/controlDict", "endTime", end)
+            log = case.run("positionalShellFoam", log=f"log.{end}")
+        runs.append((case, log, readState(case, "6")))
+    for name, values in runs[0][2].items():
+        np.testing.assert_array_equal(values, runs[1][2][name], err_msg=name)
+
+    case, log, _ = runs[0]
+    loads = [
+        0.1*float(line.split("=")[1]) for line in log.splitlines()
+        if "load parameter =" in line
+    ]
+    names, rows = case.history("tip/0/displacement.dat")
+    assert len(loads) == len(rows) == 12 and loads[-1] > 1
+    # Cubic through the four points next to the published load
+    near = np.argsort(abs(np.array(loads) - 1))[:4]
+    u, w = (
+        np.polyval(np.polyfit(np.array(loads)[near] - 1, values[near], 3), 0)
+        for values in (
+            rows[:, names.index("displacement_x")],
+            rows[:, names.index("displacement_z")],
+        )
+    )
+    assert abs(w - 6.700) < 0.01*6.700
+    assert abs(-u - 3.289) < 0.01*3.289
 
 
 def endReport(case, log="log.positionalShellFoam"):
