@@ -95,6 +95,7 @@ void Newton::makeTangent
 )
 {
     if (!matrix_) matrix_.reset(new SystemMatrix(problem.model().makeMatrix()));
+    factorsUsable_ = false;
     matrix_->setZero();
     problem.addStiffness(stress, *matrix_);
     roundOff_ = residualRoundOff

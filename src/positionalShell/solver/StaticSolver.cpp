@@ -54,7 +54,16 @@ StaticStep StaticSolver::step
         const double time =
             to < 1 ? start.time + to*(t - start.time) : t;
         StaticProblem problem(model_, loads, fixedForce, time, q, lack);
-        result.report = newton_.solve(problem);
+        try
+        {
+            result.report = newton_.solve(problem);
+        }
+        catch (const SingularMatrix& singular)
+        {
+            // Of an iterate, perhaps: a shorter part may pass by it
+            result.report = NewtonReport();
+            result.report.message = singular.what();
+        }
         iterations += result.report.iterations;
         if (result.report.converged) q = problem.position();
         return PartOutcome{result.report.converged};

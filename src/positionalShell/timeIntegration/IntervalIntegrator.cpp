@@ -85,7 +85,15 @@ std::vector<DynamicStep> IntervalIntegrator::advance
         const ShellState& here = steps.empty() ? start : steps.back().state;
         const PartOfGivenForce part(given, from, to);
         const double dt = (to - from)*interval;
-        failed = integrator_.step(here, dt, loads, part.force);
+        try
+        {
+            failed = integrator_.step(here, dt, loads, part.force);
+        }
+        catch (const SingularMatrix& singular)
+        {
+            failed = DynamicStep();
+            failed.report.message = singular.what();
+        }
 
         PartOutcome outcome;
         outcome.accepted = failed.converged;

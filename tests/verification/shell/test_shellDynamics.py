@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from foamCase import FoamCase
-from shellFiles import readSeries, readState
+from shellFiles import readGrid, readSeries, readState
 
 HERE = Path(__file__).resolve().parent
 TRACTION = "type        traction;\n        traction    (0 0 0.4);"
@@ -151,6 +151,24 @@ def test_path_by_arc_length(tmp_path):
     )
     assert abs(w - 6.700) < 0.01*6.700
     assert abs(-u - 3.289) < 0.01*3.289
+
+
+def test_frequencies_and_modes(tmp_path):
+    """Clamped beam: roots 1.8751 and 4.6941 of cos x cosh x = -1."""
+    case = strip(tmp_path / "strip")
+    log = case.run("positionalShellFoam", "-modes", "2")
+    lines = log.split("Shell frequencies [Hz]")[1].splitlines()[1:3]
+    found = [float(line.split()[1]) for line in lines]
+    wave = (1.2e6*0.1**2/12/0.01)**0.5/10**2/(2*np.pi)
+    for frequency, root in zip(found, (1.87510, 4.69409)):
+        assert abs(frequency/(wave*root**2) - 1) < 3e-3
+
+    # The first mode bends to one side, the second has one node
+    for number, file in readSeries(case.path / "VTK" / "modes.pvd"):
+        points, _, data = readGrid(case.path / "VTK" / file)
+        w = data["displacement"][:, 2][np.argsort(points[:, 0])]
+        w = w[abs(w) > 1e-3*abs(w).max()]
+        assert (np.diff(np.sign(w)) != 0).sum() == number - 1
 
 
 def endReport(case, log="log.positionalShellFoam"):
