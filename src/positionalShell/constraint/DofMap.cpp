@@ -46,6 +46,13 @@ Vector DofMap::expand(const Vector& reduced) const
     return full;
 }
 
+Vector DofMap::pick(const Vector& full) const
+{
+    Vector reduced(nEquations_);
+    for (int e = 0; e < nEquations_; ++e) reduced[e] = full[first_[e]];
+    return reduced;
+}
+
 void DofMap::addExpanded(const Vector& reduced, Vector& full) const
 {
     for (int i = 0; i < nFull(); ++i)

@@ -55,6 +55,9 @@ public:
     //- Equation vector to a full vector, zero where prescribed
     Vector expand(const Vector& reduced) const;
 
+    //- Values of the equations in a full vector in which shared unknowns are equal
+    Vector pick(const Vector& full) const;
+
     //- full += expand(reduced)
     void addExpanded(const Vector& reduced, Vector& full) const;
 

@@ -10,20 +10,28 @@
 
 #define SHELL_KERNEL_NAMESPACE avx2
 #define SHELL_REGISTER_DOUBLES 4
-#include "BatchSums.hpp"
+#include "AssumedTwoStates.hpp"
 
 #pragma GCC pop_options
 
 namespace positionalShell
 {
 
-const BatchKernel* avx2Kernel()
+const BatchKernel* avx2Kernel(ElementForm form)
 {
-    static const BatchKernel kernel
+    static const BatchKernel displacement
     {
-        avx2::energy, avx2::force, avx2::addTangent
+        avx2::energy, avx2::force, avx2::addTangent,
+        avx2::addExtrapolatedTangent, avx2::conservingForce,
+        avx2::addConservingTangent, nullptr
     };
-    return &kernel;
+    static const BatchKernel assumedStrain
+    {
+        avx2::assumedEnergy, avx2::assumedForce, avx2::addAssumedTangent,
+        avx2::addExtrapolatedAssumedTangent, avx2::assumedConservingForce,
+        avx2::addConservingAssumedTangent, avx2::strainGap
+    };
+    return form == ElementForm::displacement ? &displacement : &assumedStrain;
 }
 
 } // namespace positionalShell
@@ -33,7 +41,7 @@ const BatchKernel* avx2Kernel()
 namespace positionalShell
 {
 
-const BatchKernel* avx2Kernel()
+const BatchKernel* avx2Kernel(ElementForm)
 {
     return nullptr;
 }

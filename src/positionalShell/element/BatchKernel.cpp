@@ -38,12 +38,11 @@ Strain ofLane(const LaneValues* e, int lane)
 
 } // namespace
 
-const BatchKernel& batchKernel()
+const BatchKernel& batchKernel(ElementForm form)
 {
-    static const BatchKernel& kernel = avx2Kernel() && processorHasAvx2()
-        ? *avx2Kernel()
-        : baselineKernel();
-    return kernel;
+    static const bool fast = processorHasAvx2();
+    const BatchKernel* avx2 = fast ? avx2Kernel(form) : nullptr;
+    return avx2 ? *avx2 : baselineKernel(form);
 }
 
 void generalResponse

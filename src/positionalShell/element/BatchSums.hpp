@@ -96,12 +96,16 @@ SHELL_INLINE void fieldForce
     }
 }
 
+//- strain(k, zeta, b, e): the strain that gives the stress at an integration point,
+//  where the base vectors are b
+template<class StrainAt>
 SHELL_INLINE void fieldTangent
 (
     const ElementRule& rule,
     const ElementBatch& batch,
     std::size_t firstPoint,
     const Pack* f,
+    const StrainAt& strain,
     FieldTangent& tangent
 )
 {
@@ -112,18 +116,20 @@ SHELL_INLINE void fieldTangent
     for (std::size_t z = 0; z < rule.thickness.size(); ++z)
     {
         const std::size_t k = firstPoint + z;
-        const BaseVectors b =
-            baseVectors(f, batch.halfThickness, rule.thickness[z].xi);
+        const double zeta = rule.thickness[z].xi;
+        const BaseVectors b = baseVectors(f, batch.halfThickness, zeta);
         Pack e[6];
         Pack S[6];
         Pack t[3][3];
         LaneValues general[21];
-        covariantStrain(b, batch.points[k].metric, e);
+        strain(k, zeta, b, e);
         stress(batch, k, e, S, general);
         const LaneValues* C =
             batch.transforms.empty() ? batch.points[k].C : general;
+        Pack Q[6][3][3];
         tractions(b, S, t);
-        addFieldTangent(b, f, S, C, t, tangent.K);
+        stressDerivatives(b, C, Q);
+        addFieldTangent(b, f, S, Q, t, tangent.K);
     }
     for (int u = 0; u < F::size; ++u)
     {
@@ -193,6 +199,53 @@ SHELL_INLINE void pairColumn
     }
 }
 
+//- Weighted energy at a point
+SHELL_INLINE Pack pointEnergy
+(
+    const ElementBatch& batch,
+    std::size_t k,
+    const Pack* e
+)
+{
+    if (!batch.transforms.empty())
+    {
+        LaneValues strain[6];
+        LaneValues own;
+        for (int u = 0; u < 6; ++u) e[u].store(strain[u]);
+        generalEnergy(batch, k, strain, own);
+        return own;
+    }
+    Pack S[6];
+    Pack sum(0);
+    stress(batch, k, e, S, nullptr);
+    for (int u = 0; u < 6; ++u) sum += 0.5*(S[u]*e[u]);
+    return sum;
+}
+
+//- Force on the nodes from that on the fields of an area point; the first nodes may
+//  be left out
+SHELL_INLINE void addNodeForces
+(
+    const AreaPoint& point,
+    const Pack* s,
+    Pack* sum,
+    int firstNode = 0
+)
+{
+    for (int i = firstNode; i < nodesPerElement; ++i)
+    {
+        const double* phi = point.phi[i];
+        Pack* node = &sum[dofsPerNode*i];
+        for (int c = 0; c < 3; ++c)
+        {
+            node[c] += phi[1]*s[F::m1 + c] + phi[2]*s[F::m2 + c];
+            node[3 + c] += phi[0]*s[F::g + c] + phi[1]*s[F::g1 + c]
+                + phi[2]*s[F::g2 + c];
+        }
+        node[6] += phi[0]*s[F::a] + phi[1]*s[F::a1] + phi[2]*s[F::a2];
+    }
+}
+
 inline void energy
 (
     const ElementRule& rule,
@@ -215,25 +268,33 @@ inline void energy
                 baseVectors(f, batch.halfThickness, z.xi),
                 batch.points[k].metric, e
             );
-            if (batch.transforms.empty())
-            {
-                Pack S[6];
-                stress(batch, k, e, S, nullptr);
-                for (int u = 0; u < 6; ++u) sum += 0.5*(S[u]*e[u]);
-            }
-            else
-            {
-                LaneValues strain[6];
-                LaneValues own;
-                for (int u = 0; u < 6; ++u) e[u].store(strain[u]);
-                generalEnergy(batch, k, strain, own);
-                sum += own;
-            }
+            sum += pointEnergy(batch, k, e);
             ++k;
         }
     }
     sum.store(result);
 }
+
+//- Forces of the nodes from those of the fields, (S11)
+struct NodalSums
+{
+    Pack x[dofsPerElement];
+
+    SHELL_INLINE NodalSums()
+    {
+        for (Pack& own : x) own = Pack(0);
+    }
+
+    SHELL_INLINE void add(const AreaPoint& point, const Pack* s)
+    {
+        addNodeForces(point, s, x);
+    }
+
+    SHELL_INLINE void store(ElementVector& result) const
+    {
+        for (int k = 0; k < dofsPerElement; ++k) x[k].store(result.x[k]);
+    }
+};
 
 inline void force
 (
@@ -244,48 +305,38 @@ inline void force
 )
 {
     const std::size_t nThickness = rule.thickness.size();
-    Pack sum[dofsPerElement];
-    for (Pack& x : sum) x = Pack(0);
+    NodalSums sum;
     for (std::size_t p = 0; p < rule.area.size(); ++p)
     {
-        const AreaPoint& point = rule.area[p];
         Pack f[F::size];
         Pack s[F::size];
-        interpolate(point, q, f);
+        interpolate(rule.area[p], q, f);
         fieldForce(rule, batch, p*nThickness, f, s);
-        for (int i = 0; i < nodesPerElement; ++i)
-        {
-            const double* phi = point.phi[i];
-            Pack* node = &sum[dofsPerNode*i];
-            for (int c = 0; c < 3; ++c)
-            {
-                node[c] += phi[1]*s[F::m1 + c] + phi[2]*s[F::m2 + c];
-                node[3 + c] += phi[0]*s[F::g + c] + phi[1]*s[F::g1 + c]
-                    + phi[2]*s[F::g2 + c];
-            }
-            node[6] += phi[0]*s[F::a] + phi[1]*s[F::a1] + phi[2]*s[F::a2];
-        }
+        sum.add(rule.area[p], s);
     }
-    for (int k = 0; k < dofsPerElement; ++k) sum[k].store(result.x[k]);
+    sum.store(result);
 }
 
-inline void addTangent
+//- Strain of the state itself, as fieldTangent wants it
+SHELL_INLINE auto ownStrain(const ElementBatch& batch)
+{
+    return [&batch](std::size_t k, double, const BaseVectors& b, Pack* e)
+    {
+        covariantStrain(b, batch.points[k].metric, e);
+    };
+}
+
+//- K += factor (fields of node i)^T (field tangents) (fields of node j), (S14)
+inline void addNodePairs
 (
     const ElementRule& rule,
     const ElementBatch& batch,
-    const ElementVector& q,
+    const std::vector<FieldTangent>& tangents,
+    double factor,
     SystemMatrix& K
 )
 {
     const std::size_t nArea = rule.area.size();
-    const std::size_t nThickness = rule.thickness.size();
-    std::vector<FieldTangent> tangents(nArea);
-    for (std::size_t p = 0; p < nArea; ++p)
-    {
-        Pack f[F::size];
-        interpolate(rule.area[p], q, f);
-        fieldTangent(rule, batch, p*nThickness, f, tangents[p]);
-    }
 
     // Node by node, so that what is worked on stays in the first-level cache
     std::vector<NodeColumns> columns(nArea);
@@ -304,12 +355,35 @@ inline void addTangent
                 pairColumn(rule, i, c, columns.data(), column);
                 for (int r = 0; r < dofsPerNode; ++r)
                 {
-                    column[r].store(block[dofsPerNode*c + r]);
+                    (factor*column[r]).store(block[dofsPerNode*c + r]);
                 }
             }
             scatterBlock(batch, i, j, block, K);
         }
     }
+}
+
+inline void addTangent
+(
+    const ElementRule& rule,
+    const ElementBatch& batch,
+    const ElementVector& q,
+    SystemMatrix& K
+)
+{
+    const std::size_t nArea = rule.area.size();
+    const std::size_t nThickness = rule.thickness.size();
+    std::vector<FieldTangent> tangents(nArea);
+    for (std::size_t p = 0; p < nArea; ++p)
+    {
+        Pack f[F::size];
+        interpolate(rule.area[p], q, f);
+        fieldTangent
+        (
+            rule, batch, p*nThickness, f, ownStrain(batch), tangents[p]
+        );
+    }
+    addNodePairs(rule, batch, tangents, 1, K);
 }
 
 } // namespace SHELL_KERNEL_NAMESPACE

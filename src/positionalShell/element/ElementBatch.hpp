@@ -9,6 +9,7 @@
 #ifndef positionalShell_ElementBatch_hpp
 #define positionalShell_ElementBatch_hpp
 
+#include "ElementForm.hpp"
 #include "Quadrature.hpp"
 #include "ShellSizes.hpp"
 
@@ -48,6 +49,42 @@ struct ReferencePoint
     LaneValues C[21];
 };
 
+//- Point of an edge where assumed strains are tied to the motion, (A2)
+struct EdgePoint
+{
+    static constexpr int nNodes = 4;
+    int nodes[nNodes];
+    double N[nNodes];
+    double dN[nNodes];      // along the edge, over its parametric length
+};
+
+//- Assumed strains from edge values and moments, (A3)-(A6)
+struct AssumedInterpolation
+{
+    static constexpr int pointsPerEdge = 3;
+    static constexpr int nEdgePoints = 3*pointsPerEdge;
+    static constexpr int nMoments = 3;
+
+    //- Values at an area point by what they are made of
+    struct AtPoint
+    {
+        double membraneEdge[3][pointsPerEdge];  // [direction][point of its edge]
+        double membraneMoment[3][nMoments];     // [direction][moment of the same]
+        double shearEdge[2][nEdgePoints];
+        double shearMoment[2][nMoments];
+        double moment[nMoments];                // weight times 1, xi1', xi2'
+    };
+
+    EdgePoint edge[nEdgePoints];
+    std::vector<AtPoint> points;
+};
+
+//- Assumed minus compatible strains of the initial state at an area point, (A8)
+struct ReferenceGap
+{
+    LaneValues v[6];
+};
+
 //- Local Cartesian from covariant strain, (S9)
 struct StrainTransform
 {
@@ -68,6 +105,9 @@ struct ElementBatch
 
     //- Filled only where the material is not linear
     std::vector<StrainTransform> transforms;
+
+    //- By area point; filled only for assumed strains
+    std::vector<ReferenceGap> gaps;
 };
 
 //- Rules shared by all batches
@@ -75,7 +115,13 @@ struct ElementRule
 {
     std::vector<AreaPoint> area;
     std::vector<LinePoint> thickness;
+
+    //- Without points for the displacement form
+    AssumedInterpolation assumed;
 };
+
+//- Greatest number of points of an area rule
+constexpr int maxAreaPoints = 25;
 
 //- Unknowns or forces of four elements
 struct ElementVector
@@ -83,7 +129,8 @@ struct ElementVector
     LaneValues x[dofsPerElement];   // [7*place + component]
 };
 
-//- Sums over the integration points of a batch. One set per instruction set.
+//- Sums over the integration points of a batch. One set per instruction set and
+//  element form.
 struct BatchKernel
 {
     //- U of each element
@@ -106,16 +153,46 @@ struct BatchKernel
         const ElementRule&, const ElementBatch&, const ElementVector& q,
         SystemMatrix& K
     );
+
+    //- The same with the stress at one state, extrapolated to another, (N3)
+    void (*addExtrapolatedTangent)
+    (
+        const ElementRule&, const ElementBatch&, const ElementVector& before,
+        const ElementVector& after, const ElementVector& q, SystemMatrix& K
+    );
+
+    //- Force that does the work U(end) - U(start) on the way, (T8)-(T10)
+    void (*conservingForce)
+    (
+        const ElementRule&, const ElementBatch&, const ElementVector& start,
+        const ElementVector& end, ElementVector& force
+    );
+
+    //- Its symmetric tangent with respect to the end, (T11)
+    void (*addConservingTangent)
+    (
+        const ElementRule&, const ElementBatch&, const ElementVector& start,
+        const ElementVector& before, const ElementVector& after,
+        const ElementVector& end, SystemMatrix& K
+    );
+
+    //- Gap between assumed and compatible strains of a state, by area point;
+    //  null for the displacement form
+    void (*gap)
+    (
+        const ElementRule&, const ElementBatch&, const ElementVector& q,
+        ReferenceGap* gap
+    );
 };
 
 //- The fastest that the processor can run
-const BatchKernel& batchKernel();
+const BatchKernel& batchKernel(ElementForm form);
 
 //- For any processor of the architecture
-const BatchKernel& baselineKernel();
+const BatchKernel& baselineKernel(ElementForm form);
 
 //- With AVX2 and fused multiply-add; null where the compiler cannot make it
-const BatchKernel* avx2Kernel();
+const BatchKernel* avx2Kernel(ElementForm form);
 
 // What the kernels ask of the rest, one function call away
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "ElementData.hpp"
+#include "AssumedInterpolation.hpp"
 #include "CubicTriangle.hpp"
 #include "SystemMatrix.hpp"
 
@@ -8,6 +9,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -77,16 +79,32 @@ Mat3 baseVectors
     return base;
 }
 
-//- Local Cartesian from covariant strain, (S9)
-ElasticMatrix strainTransform(const Mat3& G)
-{
-    // Columns: local axes, 3 along the director, 1 along the projected G_1
-    Mat3 axes;
-    axes.col(2) = G.col(2).normalized();
-    axes.col(0) =
-        (G.col(0) - axes.col(2)*axes.col(2).dot(G.col(0))).normalized();
-    axes.col(1) = axes.col(2).cross(axes.col(0));
+//- Least sine of the angle between a section's axis and the director: the direction
+//  of the projection is lost in the shape's own errors below
+constexpr double leastSine = 1e-3;
 
+//- Material axes as columns: 3 along the director, 1 along the projected direction
+//  of the section or, where it has none, of G_1
+Mat3 materialAxes(const Mat3& G, const Section& section)
+{
+    const bool given = !section.axis.isZero();
+    const Vec3 n = G.col(2).normalized();
+    const Vec3 along = given ? section.axis : Vec3(G.col(0));
+    const Vec3 projected = along - n*n.dot(along);
+    if (given && projected.norm() < leastSine*along.norm()) return Mat3::Zero();
+
+    const Vec3 t = projected.normalized();
+    Mat3 axes;
+    axes.col(2) = n;
+    axes.col(0) =
+        std::cos(section.angle)*t + std::sin(section.angle)*n.cross(t);
+    axes.col(1) = n.cross(axes.col(0));
+    return axes;
+}
+
+//- Local Cartesian from covariant strain, (S9)
+ElasticMatrix strainTransform(const Mat3& G, const Mat3& axes)
+{
     // B(i, c): contravariant base vector i along local axis c
     const Mat3 B = G.inverse()*axes;
     ElasticMatrix T;
@@ -121,17 +139,22 @@ ElementData::ElementData
     const std::vector<Section>& sections,
     const std::vector<int>& sectionOfElement,
     int areaPoints,
-    int thicknessPoints
+    int thicknessPoints,
+    ElementForm form
 )
 :
     mesh_(mesh),
-    kernel_(batchKernel())
+    kernel_(batchKernel(form))
 {
     for (const TrianglePoint& p : triangleRule(areaPoints))
     {
         rule_.area.push_back(areaPoint(p.xi1, p.xi2, p.weight));
     }
     rule_.thickness = gaussRule(thicknessPoints);
+    if (form == ElementForm::assumedStrain)
+    {
+        rule_.assumed = assumedInterpolation(triangleRule(areaPoints));
+    }
 
     const Vector q0 = mesh.initialPositions();
     for (std::size_t s = 0; s < sections.size(); ++s)
@@ -169,13 +192,23 @@ void ElementData::addBatch
     const std::size_t nPoints = rule_.area.size()*rule_.thickness.size();
     batch.points.resize(nPoints);
     if (!section.material->linear()) batch.transforms.resize(nPoints);
-    for (int l = 0; l < lanes; ++l) setReference(q0, batch, l);
+    for (int l = 0; l < lanes; ++l) setReference(q0, section, batch, l);
+    if (kernel_.gap)
+    {
+        // By the kernel itself: the initial state is then free of strain to the bit
+        ElementVector own;
+        gather(batch, q0, own);
+        std::vector<ReferenceGap> gaps(rule_.area.size());
+        kernel_.gap(rule_, batch, own, gaps.data());
+        batch.gaps = std::move(gaps);
+    }
     batches_.push_back(std::move(batch));
 }
 
 void ElementData::setReference
 (
     const Vector& q0,
+    const Section& section,
     ElementBatch& batch,
     int lane
 )
@@ -210,7 +243,16 @@ void ElementData::setReference
                     G.col(voigt[u][0]).dot(G.col(voigt[u][1]));
             }
 
-            const ElasticMatrix T = strainTransform(G);
+            const Mat3 axes = materialAxes(G, section);
+            if (axes.isZero())
+            {
+                throw std::invalid_argument
+                (
+                    "shell model: the axis of the material is normal to "
+                  + name(mesh_, element)
+                );
+            }
+            const ElasticMatrix T = strainTransform(G, axes);
             const ElasticMatrix C = weight
                 *(T.transpose()*batch.material->tangent(Strain::Zero())*T);
             int entry = 0;
@@ -266,6 +308,27 @@ double ElementData::energy(const Vector& q) const
     return sum;
 }
 
+void ElementData::scatter
+(
+    const ElementBatch& batch,
+    const ElementVector& force,
+    Vector& f
+) const
+{
+    for (int l = 0; l < batch.nElements; ++l)
+    {
+        const Triangle& triangle = mesh_.triangle(batch.elements[l]);
+        for (int j = 0; j < nodesPerElement; ++j)
+        {
+            double* node = f.data() + dofsPerNode*triangle[j];
+            for (int c = 0; c < dofsPerNode; ++c)
+            {
+                node[c] += force.x[dofsPerNode*j + c].lane[l];
+            }
+        }
+    }
+}
+
 void ElementData::addForce(const Vector& q, Vector& f) const
 {
     ElementVector own;
@@ -274,18 +337,7 @@ void ElementData::addForce(const Vector& q, Vector& f) const
     {
         gather(batch, q, own);
         kernel_.force(rule_, batch, own, force);
-        for (int l = 0; l < batch.nElements; ++l)
-        {
-            const Triangle& triangle = mesh_.triangle(batch.elements[l]);
-            for (int j = 0; j < nodesPerElement; ++j)
-            {
-                double* node = f.data() + dofsPerNode*triangle[j];
-                for (int c = 0; c < dofsPerNode; ++c)
-                {
-                    node[c] += force.x[dofsPerNode*j + c].lane[l];
-                }
-            }
-        }
+        scatter(batch, force, f);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "ElementBatch.hpp"
 #include "Section.hpp"
 #include "ShellMesh.hpp"
+#include "StressPrediction.hpp"
 
 #include <vector>
 
@@ -22,21 +23,39 @@ class ElementData
 public:
 
     //- The mesh must live as long as this object. Throws std::invalid_argument,
-    //  naming the element, where the body folds over: thickness too large for
-    //  the curvature.
+    //  naming the element, where the body folds over (thickness too large for
+    //  the curvature) and where a section's axis is normal to the shell.
     ElementData
     (
         const ShellMesh& mesh,
         const std::vector<Section>& sections,
         const std::vector<int>& sectionOfElement,
         int areaPoints,
-        int thicknessPoints
+        int thicknessPoints,
+        ElementForm form
     );
 
     double energy(const Vector& q) const;
     void addForce(const Vector& q, Vector& f) const;
     void addTangent(const Vector& q, SystemMatrix& K) const;
     double leastVolumeRatio(const Vector& q) const;
+
+    // Two states (ElementDataTwoStates.cpp), see BatchKernel
+
+        void addExtrapolatedTangent
+        (
+            const StressPrediction& stress, const Vector& q,
+            SystemMatrix& K
+        ) const;
+        void addConservingForce
+        (
+            const Vector& start, const Vector& end, Vector& f
+        ) const;
+        void addConservingTangent
+        (
+            const StressPrediction& endStress, const Vector& start,
+            const Vector& end, SystemMatrix& K
+        ) const;
 
 private:
 
@@ -51,8 +70,15 @@ private:
         const Section& section,
         const std::vector<int>& elements
     );
-    void setReference(const Vector& q0, ElementBatch& batch, int lane);
+    void setReference
+    (
+        const Vector& q0,
+        const Section& section,
+        ElementBatch& batch,
+        int lane
+    );
     void gather(const ElementBatch&, const Vector& q, ElementVector&) const;
+    void scatter(const ElementBatch&, const ElementVector&, Vector& f) const;
 };
 
 } // namespace positionalShell

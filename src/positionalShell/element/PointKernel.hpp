@@ -143,16 +143,14 @@ SHELL_INLINE void addFieldForce
     force[F::a] += b.linear*dot(g, t[2]);
 }
 
-//- H[i][l] = dt^i/da_l, (S12)
-SHELL_INLINE void tractionDerivatives
+//- Q[v][l] = dS_v/da_l: weighted stress by the base vectors
+SHELL_INLINE void stressDerivatives
 (
     const BaseVectors& b,
-    const Pack* S,
     const LaneValues* C,
-    Pack H[3][3][3][3]
+    Pack Q[6][3][3]
 )
 {
-    Pack Q[6][3][3];
     for (int v = 0; v < 6; ++v)
     {
         for (int l = 0; l < 3; ++l)
@@ -166,6 +164,17 @@ SHELL_INLINE void tractionDerivatives
             }
         }
     }
+}
+
+//- H[i][l] = dt^i/da_l, (S12)
+SHELL_INLINE void tractionDerivatives
+(
+    const BaseVectors& b,
+    const Pack* S,
+    const Pack Q[6][3][3],
+    Pack H[3][3][3][3]
+)
+{
     for (int i = 0; i < 3; ++i)
     {
         for (int l = i; l < 3; ++l)
@@ -269,13 +278,13 @@ SHELL_INLINE void addFieldTangent
     const BaseVectors& b,
     const Pack* f,
     const Pack* S,
-    const LaneValues* C,
+    const Pack Q[6][3][3],
     const Pack t[3][3],
     Pack (*K)[F::size]
 )
 {
     Pack H[3][3][3][3];
-    tractionDerivatives(b, S, C, H);
+    tractionDerivatives(b, S, Q, H);
     addVectorColumns(b, H, K);
 
     // Derivatives of the base vectors: by a (w, z), by a1 or a2 (u)

@@ -58,6 +58,20 @@ struct Surface
     }
 };
 
+//- The same everywhere
+class UniformPressure : public PressureField
+{
+public:
+
+    explicit UniformPressure(double pressure) : pressure_(pressure) {}
+
+    double value(const Vec3&, double) const override { return pressure_; }
+
+private:
+
+    double pressure_;
+};
+
 Mat3 skew(const Vec3& v)
 {
     Mat3 S;
@@ -76,11 +90,49 @@ FollowerPressure::FollowerPressure
     double face
 )
 :
+    FollowerPressure
+    (
+        model, elementSet, std::make_shared<UniformPressure>(pressure),
+        std::move(factor), face
+    )
+{}
+
+FollowerPressure::FollowerPressure
+(
+    const ShellModel& model,
+    const std::string& elementSet,
+    PressureFieldPtr pressure,
+    TimeFunctionPtr factor,
+    double face
+)
+:
     elements_(model.mesh().elementSet(elementSet)),
-    pressure_(pressure),
+    pressure_(std::move(pressure)),
     factor_(std::move(factor)),
     face_(face)
 {}
+
+std::vector<double> FollowerPressure::pressures
+(
+    const ShellModel& model,
+    int element,
+    double time
+) const
+{
+    const double factor = factor_->value(time);
+    const Triangle& triangle = model.mesh().triangle(element);
+    std::vector<double> values;
+    for (const BasisPoint& p : basisPoints())
+    {
+        Vec3 X = Vec3::Zero();
+        for (int j = 0; j < nodesPerElement; ++j)
+        {
+            X += p.N[j]*model.mesh().nodes()[triangle[j]];
+        }
+        values.push_back(factor*pressure_->value(X, time));
+    }
+    return values;
+}
 
 void FollowerPressure::addForce
 (
@@ -90,7 +142,6 @@ void FollowerPressure::addForce
     Vector& force
 ) const
 {
-    const double pressure = pressure_*factor_->value(time);
     for (int e : elements_)
     {
         const Triangle& triangle = model.mesh().triangle(e);
@@ -98,11 +149,13 @@ void FollowerPressure::addForce
         const Surface surface(triangle, q, arm);
         Eigen::Matrix<double, 3, nodesPerElement> f;
         f.setZero();
-        for (const BasisPoint& p : basisPoints())
+        const std::vector<double> pressure = pressures(model, e, time);
+        for (std::size_t k = 0; k < pressure.size(); ++k)
         {
+            const BasisPoint& p = basisPoints()[k];
             const Vec3 y1 = surface.y*p.dN.col(0);
             const Vec3 y2 = surface.y*p.dN.col(1);
-            f -= (pressure*p.weight*y1.cross(y2))*p.N.transpose();
+            f -= (pressure[k]*p.weight*y1.cross(y2))*p.N.transpose();
         }
         for (int j = 0; j < nodesPerElement; ++j)
         {
@@ -122,7 +175,6 @@ void FollowerPressure::addTangent
     SystemMatrix& K
 ) const
 {
-    const double pressure = pressure_*factor_->value(time);
     for (int e : elements_)
     {
         const double arm = 0.5*model.thickness(e)*face_;
@@ -131,13 +183,15 @@ void FollowerPressure::addTangent
         // Minus df_i/dy_j, (S27)
         NodeBlocks D;
         for (auto& row : D) row.fill(Mat3::Zero());
-        for (const BasisPoint& p : basisPoints())
+        const std::vector<double> pressure = pressures(model, e, time);
+        for (std::size_t k = 0; k < pressure.size(); ++k)
         {
+            const BasisPoint& p = basisPoints()[k];
             const Mat3 y1 = skew(surface.y*p.dN.col(0));
             const Mat3 y2 = skew(surface.y*p.dN.col(1));
             for (int j = 0; j < nodesPerElement; ++j)
             {
-                const Mat3 dArea = (factor*pressure*p.weight)
+                const Mat3 dArea = (factor*pressure[k]*p.weight)
                     *(p.dN(j, 1)*y1 - p.dN(j, 0)*y2);
                 for (int i = 0; i < nodesPerElement; ++i)
                 {

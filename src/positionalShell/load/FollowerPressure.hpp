@@ -11,6 +11,7 @@
 #define positionalShell_FollowerPressure_hpp
 
 #include "Load.hpp"
+#include "PressureField.hpp"
 
 #include <array>
 #include <string>
@@ -28,6 +29,16 @@ public:
         const ShellModel& model,
         const std::string& elementSet,
         double pressure,
+        TimeFunctionPtr factor = constant(1),
+        double face = 0
+    );
+
+    //- Pressure that depends on the initial position of the mid-surface
+    FollowerPressure
+    (
+        const ShellModel& model,
+        const std::string& elementSet,
+        PressureFieldPtr pressure,
         TimeFunctionPtr factor = constant(1),
         double face = 0
     );
@@ -53,9 +64,15 @@ private:
     >;
 
     std::vector<int> elements_;
-    double pressure_;
+    PressureFieldPtr pressure_;
     TimeFunctionPtr factor_;
     double face_;
+
+    //- At the integration points of an element
+    std::vector<double> pressures
+    (
+        const ShellModel& model, int element, double time
+    ) const;
 
     //- K += blocks of face nodes, on positions and through the arm on directors
     static void addBlocks

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Orthotropic.hpp"
 #include "SaintVenantKirchhoff.hpp"
 
 #include <functional>
@@ -20,6 +21,17 @@ struct Entry
     std::function<MaterialPtr(const Parameters&)> make;
 };
 
+MaterialPtr orthotropic(const Parameters& p)
+{
+    const OrthotropicConstants constants
+    {
+        p.at("youngsModulus1"), p.at("youngsModulus2"), p.at("youngsModulus3"),
+        p.at("poissonRatio12"), p.at("poissonRatio23"), p.at("poissonRatio13"),
+        p.at("shearModulus12"), p.at("shearModulus23"), p.at("shearModulus13")
+    };
+    return std::make_shared<Orthotropic>(constants, p.at("density"));
+}
+
 const std::map<std::string, Entry>& entries()
 {
     static const std::map<std::string, Entry> all
@@ -37,6 +49,18 @@ const std::map<std::string, Entry>& entries()
                         p.at("density")
                     );
                 }
+            }
+        },
+        {
+            "orthotropic",
+            {
+                {
+                    "youngsModulus1", "youngsModulus2", "youngsModulus3",
+                    "poissonRatio12", "poissonRatio23", "poissonRatio13",
+                    "shearModulus12", "shearModulus23", "shearModulus13",
+                    "density"
+                },
+                orthotropic
             }
         }
     };

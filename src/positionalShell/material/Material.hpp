@@ -4,11 +4,19 @@
 //
 // Strain vectors hold E11 E22 E33 2E12 2E23 2E13, stress vectors S11 S22 S33 S12
 // S23 S13 (second Piola-Kirchhoff) in the local Cartesian frame of a point: axis
-// 3 along the director, axis 1 along the projected first parametric line.
+// 3 along the director, axis 1 along the section's direction (Section.hpp).
 //
 // Factory: Material::create(name, parameters). Another material is added by
-// deriving from Material and one line in Material.cpp.
+// deriving from Material and one entry in Material.cpp.
 //     SaintVenantKirchhoff   youngsModulus [Pa], poissonRatio [-]; density [kg/m3]
+//     orthotropic            youngsModulus1, 2, 3 [Pa], poissonRatio12, 23, 13 [-],
+//                            shearModulus12, 23, 13 [Pa]; density [kg/m3]
+//
+// The element asks for energy, stress and tangent at a strain, point by point, and
+// for nothing else: a law with another relation of stress to strain needs no change
+// of the element. One with a memory (plasticity) also needs a place for the state of
+// each integration point, which the callers of generalResponse() have by batch, point
+// and lane.
 
 #ifndef positionalShell_Material_hpp
 #define positionalShell_Material_hpp
@@ -63,6 +71,10 @@ public:
     //- Whether the tangent is the same for all strains: the elements then
     //  compute it once
     virtual bool linear() const { return false; }
+
+    //- Whether the law depends on where axis 1 points: sections then need a
+    //  direction
+    virtual bool directional() const { return false; }
 
 private:
 

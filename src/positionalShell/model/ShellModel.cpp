@@ -45,6 +45,14 @@ std::vector<int> sectionOfElements
               + " has no material"
             );
         }
+        if (sections[s].material->directional() && sections[s].axis.isZero())
+        {
+            throw std::invalid_argument
+            (
+                "shell model: material " + sections[s].material->name()
+              + " of element set " + set + " needs the axis of its direction 1"
+            );
+        }
         for (int e : mesh.elementSet(set))
         {
             if (sectionOf[e] >= 0)
@@ -166,20 +174,22 @@ ShellModel::ShellModel
     ShellMesh mesh,
     std::vector<Section> sections,
     DofMap dofs,
-    IntegrationOptions integration
+    IntegrationOptions integration,
+    ElementForm form
 )
 :
     mesh_(std::move(mesh)),
     sections_(std::move(sections)),
     dofs_(checked(std::move(dofs), mesh_)),
     integration_(integration),
+    form_(form),
     sectionOfElement_(sectionOfElements(mesh_, sections_)),
     elements_
     (
         new ElementData
         (
             mesh_, sections_, sectionOfElement_,
-            integration.areaPoints, integration.thicknessPoints
+            integration.areaPoints, integration.thicknessPoints, form
         )
     ),
     sparsity_(std::make_shared<SparsityMap>(mesh_, dofs_)),
@@ -227,6 +237,37 @@ void ShellModel::addInternalForce(const Vector& q, Vector& force) const
 void ShellModel::addTangent(const Vector& q, SystemMatrix& K) const
 {
     elements_->addTangent(q, K);
+}
+
+void ShellModel::addTangent
+(
+    const StressPrediction& stress,
+    const Vector& q,
+    SystemMatrix& K
+) const
+{
+    elements_->addExtrapolatedTangent(stress, q, K);
+}
+
+void ShellModel::addConservingForce
+(
+    const Vector& start,
+    const Vector& end,
+    Vector& force
+) const
+{
+    elements_->addConservingForce(start, end, force);
+}
+
+void ShellModel::addConservingTangent
+(
+    const StressPrediction& endStress,
+    const Vector& start,
+    const Vector& end,
+    SystemMatrix& K
+) const
+{
+    elements_->addConservingTangent(endStress, start, end, K);
 }
 
 SparseMatrix ShellModel::tangent(const Vector& q) const

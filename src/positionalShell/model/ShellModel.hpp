@@ -11,9 +11,11 @@
 #define positionalShell_ShellModel_hpp
 
 #include "DofMap.hpp"
+#include "ElementForm.hpp"
 #include "Section.hpp"
 #include "ShellMesh.hpp"
 #include "ShellState.hpp"
+#include "StressPrediction.hpp"
 #include "SystemMatrix.hpp"
 
 #include <memory>
@@ -26,7 +28,7 @@ class ElementData;
 
 struct IntegrationOptions
 {
-    int areaPoints = 7;         // triangleRule: 7, 12, 16, 25
+    int areaPoints = 7;         // triangleRule: 6, 7, 12, 16, 25
     int thicknessPoints = 3;    // gaussRule: 2 ... 10
 };
 
@@ -43,7 +45,8 @@ public:
         ShellMesh mesh,
         std::vector<Section> sections,
         DofMap dofs,
-        IntegrationOptions integration = {}
+        IntegrationOptions integration = {},
+        ElementForm form = ElementForm::displacement
     );
 
     ~ShellModel();
@@ -58,6 +61,7 @@ public:
         const Section& section(int element) const;
         double thickness(int element) const { return section(element).thickness; }
         const IntegrationOptions& integration() const { return integration_; }
+        ElementForm elementForm() const { return form_; }
 
         //- Initial state at rest; prescribed unknowns at their values of time t
         ShellState initialState(double t = 0) const;
@@ -73,6 +77,29 @@ public:
 
         //- K += d2U/dq2 on equations; lower triangle (see SystemMatrix)
         void addTangent(const Vector& q, SystemMatrix& K) const;
+
+        //- The same with a predicted stress, (N3): free of the membrane forces
+        //  that an increment of bending makes; the same as above where the
+        //  prediction is for q and starts there
+        void addTangent
+        (
+            const StressPrediction& stress, const Vector& q, SystemMatrix& K
+        ) const;
+
+        //- Force between two states with force*(end - start) = U(end) - U(start)
+        //  and the symmetries of the energy, (T8)-(T10); for
+        //  linear materials
+        void addConservingForce
+        (
+            const Vector& start, const Vector& end, Vector& force
+        ) const;
+
+        //- K += its symmetric tangent by the end, (T11)
+        void addConservingTangent
+        (
+            const StressPrediction& endStress, const Vector& start,
+            const Vector& end, SystemMatrix& K
+        ) const;
 
         //- The whole symmetric tangent on equations
         SparseMatrix tangent(const Vector& q) const;
@@ -121,6 +148,7 @@ private:
     std::vector<Section> sections_;
     DofMap dofs_;
     IntegrationOptions integration_;
+    ElementForm form_;
     std::vector<int> sectionOfElement_;
     std::unique_ptr<ElementData> elements_;
     std::shared_ptr<const SparsityMap> sparsity_;

@@ -20,6 +20,13 @@ void SystemMatrix::setZero()
     general_.clear();
 }
 
+void SystemMatrix::scale(double factor)
+{
+    if (factor == 1) return;
+    for (double& value : values_) value *= factor;
+    for (double& value : general_) value *= factor;
+}
+
 void SystemMatrix::addScaled(double factor, const SystemMatrix& other)
 {
     for (std::size_t k = 0; k < values_.size(); ++k)

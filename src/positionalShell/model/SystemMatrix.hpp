@@ -29,6 +29,9 @@ public:
 
     void setZero();
 
+    //- Multiply all entries
+    void scale(double factor);
+
     //- Add factor times another symmetric matrix of the same pattern
     void addScaled(double factor, const SystemMatrix& other);
 

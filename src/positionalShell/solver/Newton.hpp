@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Newton-Raphson for equilibrium, (S22)-(S24). Converged when
+// Newton-Raphson for equilibrium, (S22)-(S25), (N1)-(N2). Converged when
 //   - the residual of each kind of unknown (position, director, thickness
-//     strain) is within residualTolerance of its force scale, and
+//     strain) is within residualTolerance of its force scale, or within what
+//     round-off of the unknowns makes of it, (N1), and
 //   - the last increment of positions over the length scale of the mesh, of g and
 //     of a, is within incrementTolerance;
 // or when the last increment is round-off, (S25): the residual then cannot fall
 // any further, whatever its tolerance.
+//
+// Line search: an increment is accepted when the next one, with the same factors,
+// is shorter, (N2); otherwise a part of it is taken. By default only after full
+// increments from the same guess have failed: thin shells pass through large
+// membrane forces on the way to a solution that full increments find sooner.
+//
 // Never throws for lack of convergence: the report says so, and why.
 
 #ifndef positionalShell_Newton_hpp
 #define positionalShell_Newton_hpp
 
+#include "EquilibriumProblem.hpp"
 #include "LinearSolver.hpp"
-#include "ShellModel.hpp"
 
 #include <memory>
 #include <string>
@@ -29,6 +36,13 @@ enum class TangentUpdate
                         // keptIterations more iterations with them are enough
 };
 
+enum class LineSearch
+{
+    off,
+    whenNeeded,         // after full increments have failed
+    always
+};
+
 struct NewtonOptions
 {
     double residualTolerance = 1e-8;
@@ -40,14 +54,8 @@ struct NewtonOptions
     //  one predicts more further iterations than this: about what a new tangent
     //  costs, in iterations
     int keptIterations = 10;
-};
 
-//- Norms of the three kinds of unknowns
-struct KindNorms
-{
-    double position = 0;    // [N] or [m]
-    double director = 0;    // [N m] or [-]
-    double thickness = 0;   // [N m] or [-]
+    LineSearch lineSearch = LineSearch::whenNeeded;
 };
 
 //- One evaluation of the residual and what was done about it
@@ -55,6 +63,7 @@ struct NewtonIteration
 {
     KindNorms residual;         // norms over their scales, before the solve
     KindNorms increment;        // greatest entries over their scales
+    double fraction = 0;        // of the increment, as the line search took it
     bool newTangent = false;
     Factorisation factorisation = Factorisation::none;  // none: no solve
 };
@@ -62,42 +71,14 @@ struct NewtonIteration
 struct NewtonReport
 {
     bool converged = false;
-    int iterations = 0;             // linear solves
+    int iterations = 0;             // increments
     KindNorms forceScale;           // what residuals were divided by
+    KindNorms roundOff;             // of residuals, over the scale, (N1)
     std::vector<NewtonIteration> history;
     std::string message;            // empty when converged; else what and where
 
     //- One line per iteration, for logs
     std::string describe() const;
-};
-
-//- Norms of a full vector by kind
-KindNorms normsByKind(const Vector& full);
-
-//- The greater of each kind
-KindNorms greater(const KindNorms& a, const KindNorms& b);
-
-//- What Newton solves: r(u) = 0 for the equations of a model
-class EquilibriumProblem
-{
-public:
-
-    virtual ~EquilibriumProblem() = default;
-
-    virtual const ShellModel& model() const = 0;
-
-    //- Full position vector of the current guess
-    virtual const Vector& position() const = 0;
-
-    //- Full residual (driving force minus resistance) of the current guess; scale:
-    //  by kind, the largest norm of its contributions
-    virtual void residual(Vector& full, KindNorms& scale) = 0;
-
-    //- K += minus d(residual)/dq
-    virtual void addTangent(SystemMatrix& K) = 0;
-
-    //- Move the guess by an increment of the equations
-    virtual void move(const Vector& increment) = 0;
 };
 
 class Newton
@@ -117,14 +98,18 @@ public:
 
 private:
 
+    //- One solution in progress (NewtonRun.cpp)
+    class Run;
+
     NewtonOptions options_;
     LinearSolver linear_;
     std::unique_ptr<SystemMatrix> matrix_;
     bool factorsUsable_ = false;
 
-    void makeTangent(EquilibriumProblem& problem);
-    bool worthKeeping(const NewtonReport& report) const;
-    bool converged(const NewtonReport& report, double roundOff) const;
+    //- Residual that round-off of the unknowns makes with the present tangent
+    KindNorms roundOff_;
+
+    void makeTangent(EquilibriumProblem&, const StressPrediction&);
 };
 
 } // namespace positionalShell

@@ -1,84 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "StaticSolver.hpp"
+#include "StaticProblem.hpp"
+#include "StepParts.hpp"
 
 #include <stdexcept>
 
 namespace positionalShell
 {
 
-namespace
-{
-
-//- F(q, t) + fixed force - dU/dq = 0
-class StaticProblem : public EquilibriumProblem
-{
-public:
-
-    StaticProblem
-    (
-        const ShellModel& model,
-        const Loads& loads,
-        const Vector* fixedForce,
-        double time,
-        Vector q
-    )
-    :
-        model_(model),
-        loads_(loads),
-        fixedForce_(fixedForce),
-        time_(time),
-        q_(std::move(q))
-    {
-        model_.dofs().setPrescribedPositions(time_, q_);
-    }
-
-    const ShellModel& model() const override { return model_; }
-    const Vector& position() const override { return q_; }
-
-    void residual(Vector& full, KindNorms& scale) override
-    {
-        full = totalForce(loads_, model_, q_, time_);
-        if (fixedForce_) full += *fixedForce_;
-        scale = normsByKind(full);
-        const Vector internal = model_.internalForce(q_);
-        scale = greater(scale, normsByKind(internal));
-        full -= internal;
-    }
-
-    void addTangent(SystemMatrix& K) override
-    {
-        model_.addTangent(q_, K);
-        for (const LoadPtr& load : loads_)
-        {
-            if (load->dependsOnPosition())
-            {
-                load->addTangent(model_, q_, time_, 1, K);
-            }
-        }
-    }
-
-    void move(const Vector& increment) override
-    {
-        model_.dofs().addExpanded(increment, q_);
-    }
-
-private:
-
-    const ShellModel& model_;
-    const Loads& loads_;
-    const Vector* fixedForce_;
-    double time_;
-    Vector q_;
-};
-
-} // namespace
-
-StaticSolver::StaticSolver(const ShellModel& model, NewtonOptions options)
+StaticSolver::StaticSolver(const ShellModel& model, StaticOptions options)
 :
     model_(model),
-    newton_(options)
-{}
+    options_(options),
+    newton_(options.newton)
+{
+    if (options_.maxCuts < 0)
+    {
+        throw std::invalid_argument
+        (
+            "static solver: maxCuts " + std::to_string(options_.maxCuts)
+          + " is negative"
+        );
+    }
+}
 
 StaticStep StaticSolver::step
 (
@@ -88,15 +33,50 @@ StaticStep StaticSolver::step
     const Vector* fixedForce
 )
 {
-    StaticProblem problem(model_, loads, fixedForce, t, start.position);
+    const Vector none;
+    Vector lackAtStart;
     StaticStep result;
-    result.report = newton_.solve(problem);
-    result.converged = result.report.converged;
+    int iterations = 0;
+    Vector q = start.position;
+    const auto attempt = [&](double from, double to)
+    {
+        // What the start lacks is asked for only once the step is cut
+        if ((from > 0 || to < 1) && lackAtStart.size() == 0)
+        {
+            StaticProblem atStart
+            (
+                model_, loads, fixedForce, start.time, start.position, none
+            );
+            KindNorms scale;
+            atStart.residual(lackAtStart, scale);
+        }
+        const Vector lack = to < 1 ? Vector((1 - to)*lackAtStart) : none;
+        const double time =
+            to < 1 ? start.time + to*(t - start.time) : t;
+        StaticProblem problem(model_, loads, fixedForce, time, q, lack);
+        try
+        {
+            result.report = newton_.solve(problem);
+        }
+        catch (const SingularMatrix& singular)
+        {
+            // Of an iterate, perhaps: a shorter part may pass by it
+            result.report = NewtonReport();
+            result.report.message = singular.what();
+        }
+        iterations += result.report.iterations;
+        if (result.report.converged) q = problem.position();
+        return PartOutcome{result.report.converged};
+    };
+    const PartsReport parts = takeInParts(options_.maxCuts, 1, attempt);
+    result.parts = parts.accepted;
+    result.report.iterations = iterations;
+    result.converged = parts.reached == 1;
     result.state = start;
     if (result.converged)
     {
         result.state.time = t;
-        result.state.position = problem.position();
+        result.state.position = q;
     }
     return result;
 }

@@ -2,6 +2,11 @@
 //
 // Static equilibrium dU/dq = F by load steps: time is the load parameter, loads
 // and prescribed motions are taken at start.time + k (endTime - start.time)/n.
+//
+// A load step that does not converge is cut and repeated: on the way the loads are
+// those of the times between, less a part of what the start lacks in equilibrium
+// that goes to zero, (N4). So also loads that do not grow with time are applied in
+// parts.
 
 #ifndef positionalShell_StaticSolver_hpp
 #define positionalShell_StaticSolver_hpp
@@ -18,7 +23,21 @@ struct StaticStep
 {
     bool converged = false;
     ShellState state;           // of the last converged step
-    NewtonReport report;        // of the last step tried
+    NewtonReport report;        // of the last part tried
+    int parts = 0;              // that the step was taken in
+};
+
+struct StaticOptions
+{
+    NewtonOptions newton;
+
+    //- The shortest part is the load step over 2^maxCuts
+    int maxCuts = 10;
+
+    StaticOptions(const NewtonOptions& n = {}, int cuts = 10)
+    :
+        newton(n), maxCuts(cuts)
+    {}
 };
 
 class StaticSolver
@@ -26,7 +45,7 @@ class StaticSolver
 public:
 
     //- The model must live as long as the solver
-    explicit StaticSolver(const ShellModel& model, NewtonOptions options = {});
+    explicit StaticSolver(const ShellModel& model, StaticOptions options = {});
 
     //- One step to time t from the start state; fixedForce: further dead
     //  generalised force (full vector), may be null
@@ -57,6 +76,7 @@ public:
 private:
 
     const ShellModel& model_;
+    StaticOptions options_;
     Newton newton_;
 };
 

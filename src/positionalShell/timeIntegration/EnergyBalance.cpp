@@ -49,18 +49,25 @@ void EnergyBalance::add(const DynamicStep& step)
     const Vector moved = now.position - last_.position;
     const Vector react = reaction(now, step.externalForce);
 
-    externalWork_ += 0.5*moved.dot(lastForce_ + step.externalForce);
-    supportWork_ += 0.5*moved.dot(lastReaction_ + react);
+    const bool given = step.meanForce.size() > 0;
+    const Vector meanForce = given
+        ? step.meanForce
+        : Vector(0.5*(lastForce_ + step.externalForce));
+    const Vector meanReaction = given
+        ? step.meanReaction
+        : Vector(0.5*(lastReaction_ + react));
+    externalWork_ += moved.dot(meanForce);
+    supportWork_ += moved.dot(meanReaction);
 
     const Vector meanVelocity = 0.5*(last_.velocity + now.velocity);
     dissipated_ += massDamping_*dt
        *meanVelocity.dot(model_.massTimes(meanVelocity));
 
-    const Vector meanForce = 0.5*
-        (lastForce_ + step.externalForce + lastReaction_ + react);
     for (int i = 0; i < model_.mesh().nNodes(); ++i)
     {
-        impulse_ += dt*meanForce.segment<3>(fullIndex(i, Component::x));
+        const int x = fullIndex(i, Component::x);
+        impulse_ +=
+            dt*(meanForce.segment<3>(x) + meanReaction.segment<3>(x));
     }
 
     kinetic_ = model_.kineticEnergy(now.velocity);

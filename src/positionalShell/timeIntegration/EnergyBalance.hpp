@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Running balance: kinetic + strain - (initial) = work of loads and of driven
-// nodes - work lost in damping. The work of a step is the trapezoidal rule (S34).
+// nodes - work lost in damping. The work of a step is the trapezoidal rule (S34),
+// or that of the forces that the integrator says act over the step.
 
 #ifndef positionalShell_EnergyBalance_hpp
 #define positionalShell_EnergyBalance_hpp
 
-#include "Newmark.hpp"
+#include "TimeIntegrator.hpp"
 
 namespace positionalShell
 {

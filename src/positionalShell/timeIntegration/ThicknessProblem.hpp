@@ -28,11 +28,13 @@ public:
         loads_(loads),
         fixedForce_(fixedForce),
         time_(state.time),
+        start_(state.position),
         q_(state.position)
     {}
 
     const ShellModel& model() const override { return model_; }
     const Vector& position() const override { return q_; }
+    const Vector& origin() const override { return start_; }
 
     void residual(Vector& full, KindNorms& scale) override
     {
@@ -48,19 +50,16 @@ public:
     }
 
     // Loads do no work on a
-    void addTangent(SystemMatrix& K) override
+    void addStiffness(const StressPrediction& stress, SystemMatrix& K) override
     {
-        model_.addTangent(q_, K);
+        model_.addTangent(stress, q_, K);
         K.decouple
         (
             [this](int equation) { return !model_.massless(equation); }
         );
     }
 
-    void move(const Vector& increment) override
-    {
-        model_.dofs().addExpanded(increment, q_);
-    }
+    Vector& unknowns() override { return q_; }
 
 private:
 
@@ -68,6 +67,7 @@ private:
     const Loads& loads_;
     const Vector* fixedForce_;
     double time_;
+    const Vector& start_;
     Vector q_;
 };
 

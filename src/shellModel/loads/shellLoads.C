@@ -8,6 +8,7 @@
 #include "shellTimeFunction.H"
 #include "shellVector.H"
 
+#include "BlastWave.hpp"
 #include "BodyForce.hpp"
 #include "EdgeLoad.hpp"
 #include "FollowerPressure.hpp"
@@ -68,6 +69,22 @@ static scalar face(const dictionary& dict)
         return 0;
     }
     return selectEntry(dict, "face", {"lower", "middle", "upper"}) - 1;
+}
+
+
+static positionalShell::PressureFieldPtr blastWave(const dictionary& dict)
+{
+    auto blast = std::make_shared<positionalShell::BlastWave>();
+    blast->centre = vec3(dict, "centre");
+    blast->referenceDistance = dict.get<scalar>("referenceDistance");
+    blast->peak = dict.get<scalar>("peak");
+    blast->peakExponent = dict.lookupOrDefault<scalar>("peakExponent", 0);
+    blast->arrival = dict.get<scalar>("arrival");
+    blast->speed = dict.get<scalar>("speed");
+    blast->duration = dict.get<scalar>("duration");
+    blast->decay = dict.get<scalar>("decay");
+    blast->check();
+    return blast;
 }
 
 
@@ -133,6 +150,20 @@ static const std::map<word, loadType>& loadTypes()
                     model,
                     elementSet(dict),
                     dict.get<scalar>("pressure"),
+                    factor,
+                    face(dict)
+                );
+            }}},
+        {"blastWave",
+            {{"elementSet", "face", "centre", "referenceDistance", "peak",
+              "peakExponent", "arrival", "speed", "duration", "decay"},
+            [](const Model& model, Dict dict, Factor factor) -> LoadPtr
+            {
+                return std::make_shared<FollowerPressure>
+                (
+                    model,
+                    elementSet(dict),
+                    blastWave(dict),
                     factor,
                     face(dict)
                 );

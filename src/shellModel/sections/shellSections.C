@@ -5,6 +5,8 @@
 #include "shellSections.H"
 #include "dictionaryCheck.H"
 #include "shellInput.H"
+#include "shellVector.H"
+#include "unitConversion.H"
 
 using positionalShell::Material;
 using positionalShell::Section;
@@ -12,22 +14,29 @@ using positionalShell::Section;
 namespace Foam
 {
 
-//- The case's names of material parameters and those of the shell library
+//- The case's names of material parameters and those of the shell library;
+//  both may be followed by the numbers of directions
 static const std::vector<std::pair<std::string, std::string>> parameterNames
 {
     {"E", "youngsModulus"},
     {"nu", "poissonRatio"},
+    {"G", "shearModulus"},
     {"rho", "density"}
 };
 
 
 static std::string libraryName(const word& keyword)
 {
+    const std::string numbers("0123456789");
+    const auto length = keyword.find_first_of(numbers);
+    const std::string stem(keyword.substr(0, length));
+    const std::string ending(keyword.substr(stem.size()));
+
     for (const auto& names : parameterNames)
     {
-        if (names.first == keyword)
+        if (names.first == stem)
         {
-            return names.second;
+            return names.second + ending;
         }
     }
     return keyword;
@@ -59,10 +68,12 @@ static positionalShell::MaterialPtr readMaterial(const dictionary& dict)
 {
     const word type(dict.get<word>("type"));
 
+    const wordList ownEntries({"type", "axis", "angle"});
+
     Material::Parameters parameters;
     for (const entry& e : dict)
     {
-        if (e.keyword() != "type")
+        if (!ownEntries.found(e.keyword()))
         {
             parameters[libraryName(e.keyword())] =
                 dict.get<scalar>(e.keyword());
@@ -80,6 +91,31 @@ static positionalShell::MaterialPtr readMaterial(const dictionary& dict)
             throw std::invalid_argument(inCaseTerms(problem.what()));
         }
     });
+}
+
+//- Direction 1 of the material of a section
+static void readDirection(const dictionary& dict, Section& section)
+{
+    const bool given = dict.found("axis") || dict.found("angle");
+    if (!section.material->directional())
+    {
+        if (given)
+        {
+            FatalIOErrorInFunction(dict)
+                << section.material->name() << " is the same in all directions:"
+                << " remove axis and angle" << nl << exit(FatalIOError);
+        }
+        return;
+    }
+
+    const vector axis(dict.get<vector>("axis"));
+    if (axis == vector::zero)
+    {
+        FatalIOErrorInFunction(dict)
+            << "axis must not be zero" << nl << exit(FatalIOError);
+    }
+    section.axis = toShell(axis);
+    section.angle = degToRad(dict.lookupOrDefault<scalar>("angle", 0));
 }
 
 } // End namespace Foam
@@ -102,6 +138,7 @@ std::vector<positionalShell::Section> Foam::readShellSections
         section.elementSet = dict.lookupOrDefault<word>("elementSet", "all");
         section.thickness = dict.get<scalar>("thickness");
         section.material = readMaterial(dict.subDict("material"));
+        readDirection(dict.subDict("material"), section);
 
         // Here rather than in the model: the message then has the lines
         rejectedIn(dict, [&] { mesh.elementSet(section.elementSet); });

@@ -27,6 +27,29 @@ static bool readDynamic(const Foam::dictionary& properties)
 }
 
 
+static positionalShell::ElementForm readElementForm
+(
+    const Foam::dictionary& properties
+)
+{
+    using positionalShell::ElementForm;
+
+    if (!properties.found("elementForm"))
+    {
+        return ElementForm::assumedStrain;
+    }
+    Foam::wordList names;
+    for (const std::string& name : positionalShell::elementFormNames())
+    {
+        names.append(name);
+    }
+    return static_cast<ElementForm>
+    (
+        Foam::selectEntry(properties, "elementForm", names)
+    );
+}
+
+
 static positionalShell::IntegrationOptions readIntegration
 (
     const Foam::dictionary& properties
@@ -52,6 +75,7 @@ Foam::shellModel::instant::instant(const instant& other)
 :
     state(other.state),
     externalForce(other.externalForce),
+    memory(other.memory),
     account
     (
         other.account
@@ -70,6 +94,7 @@ Foam::shellModel::instant& Foam::shellModel::instant::operator=
     instant copy(other);
     std::swap(state, copy.state);
     std::swap(externalForce, copy.externalForce);
+    std::swap(memory, copy.memory);
     std::swap(account, copy.account);
     std::swap(report, copy.report);
     return *this;
@@ -98,6 +123,7 @@ void Foam::shellModel::makeModel()
         readShellConstraints(constraints, mesh, dynamic_)
     );
     const auto integration = readIntegration(properties_);
+    const auto form = readElementForm(properties_);
 
     rejectedIn(sections, [&]
     {
@@ -105,7 +131,8 @@ void Foam::shellModel::makeModel()
         (
             new positionalShell::ShellModel
             (
-                std::move(mesh), std::move(parts), std::move(dofs), integration
+                std::move(mesh), std::move(parts), std::move(dofs),
+                integration, form
             )
         );
     });
@@ -116,18 +143,21 @@ void Foam::shellModel::makeModel()
 
 void Foam::shellModel::makeIntegrator()
 {
-    integrator_ = shellIntegrator::New
+    const word keyword(dynamic_ ? "timeIntegrator" : "staticMethod");
+    const word type
     (
-        dynamic_ ? properties_.get<word>("timeIntegrator") : word("loadSteps"),
-        *model_,
-        properties_
+        dynamic_
+      ? properties_.get<word>(keyword)
+      : properties_.lookupOrDefault<word>(keyword, "loadSteps")
     );
+    integrator_ = shellIntegrator::New(keyword, type, *model_, properties_);
 
     if (integrator_->dynamic() != dynamic_)
     {
         FatalIOErrorInFunction(properties_)
-            << "timeIntegrator " << integrator_->type()
-            << " is for statics; set analysis static, or select another" << nl
+            << keyword << ' ' << type << " is for "
+            << (dynamic_ ? "statics; set analysis static" : "dynamics")
+            << ", or select another" << nl
             << exit(FatalIOError);
     }
 }
@@ -142,6 +172,7 @@ void Foam::shellModel::start()
         const shellRestart restart(readShellState(runTime_, timeName, nDofs()));
         now_.state = restart.state;
         now_.externalForce = restart.externalForce;
+        now_.memory = restart.memory;
         earlier_ = restart.energies;
         startAccount();
     }
@@ -203,7 +234,8 @@ Foam::shellModel::shellModel(const objectRegistry& db)
         properties_,
         {
             "mesh", "sections", "constraints", "loads", "analysis",
-            "timeIntegrator", "massDamping", "newton", "integration", "vtk"
+            "timeIntegrator", "staticMethod", "massDamping", "errorTolerance",
+            "newton", "elementForm", "integration", "vtk"
         }
     );
 

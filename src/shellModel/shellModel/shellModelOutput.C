@@ -10,7 +10,7 @@ void Foam::shellModel::writeState(const word& timeName) const
     (
         runTime_,
         timeName,
-        {now_.state, now_.externalForce, energies()}
+        {now_.state, now_.externalForce, now_.memory, energies()}
     );
 
     if (vtk_)
@@ -70,8 +70,16 @@ void Foam::shellModel::reportStep(Ostream& os) const
     os  << "Newton (" << r.solver.c_str() << "):  Solving for shell"
         << ", Initial residual = " << r.initialResidual
         << ", Final residual = " << r.residual
-        << ", No Iterations " << r.iterations << nl
-        << "Shell: max displacement = " << maxDisplacement()
+        << ", No Iterations " << r.iterations << nl;
+    if (integrator_->ownParameter())
+    {
+        os  << "Shell: load parameter = " << now_.state.time << nl;
+    }
+    if (r.steps > 1)
+    {
+        os  << "Shell: taken in " << r.steps << " steps" << nl;
+    }
+    os  << "Shell: max displacement = " << maxDisplacement()
         << " m, strain energy = " << energies().strain
         << " J, kinetic energy = " << energies().kinetic << " J" << endl;
 }
@@ -80,6 +88,8 @@ void Foam::shellModel::reportStep(Ostream& os) const
 void Foam::shellModel::reportEnd(Ostream& os) const
 {
     const shellEnergies e(energies());
+    const positionalShell::LinearSolverReport& linear =
+        integrator_->linearReport();
 
     os  << "Shell energies [J]" << nl
         << "    strain         " << e.strain << nl
@@ -91,6 +101,12 @@ void Foam::shellModel::reportEnd(Ostream& os) const
         << "Shell steps" << nl
         << "    steps          " << nSteps_ << nl
         << "    iterations     " << nIterations_ << nl
+        << "    factorisations "
+        << label(earlierFactors_.nCholesky + linear.nCholesky)
+        << " by CHOLMOD, " << label(earlierFactors_.nLU + linear.nLU)
+        << " by UMFPACK, of these "
+        << label(earlierFactors_.nIndefinite + linear.nIndefinite)
+        << " where the tangent was indefinite" << nl
         << "    time in steps  " << stepTime_ << " s" << nl
         << "    rate           "
         << mesh().nNodes()*scalar(nSteps_)/max(stepTime_, VSMALL)

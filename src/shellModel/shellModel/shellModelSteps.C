@@ -18,21 +18,39 @@ static Foam::scalar greatest(const positionalShell::KindNorms& norms)
 
 static Foam::shellStepReport summary
 (
-    const DynamicStep& step,
+    const std::vector<DynamicStep>& steps,
     const positionalShell::LinearSolverReport& linear,
     const Foam::scalar wallTime
 )
 {
     Foam::shellStepReport report;
-    report.iterations = step.report.iterations;
-    if (!step.report.history.empty())
+    report.steps = steps.size();
+    for (const DynamicStep& step : steps)
     {
-        report.initialResidual = greatest(step.report.history.front().residual);
-        report.residual = greatest(step.report.history.back().residual);
+        report.iterations += step.report.iterations;
+    }
+    const auto& first = steps.front().report.history;
+    const auto& last = steps.back().report.history;
+    if (!first.empty() && !last.empty())
+    {
+        report.initialResidual = greatest(first.front().residual);
+        report.residual = greatest(last.back().residual);
     }
     report.solver = positionalShell::factorisationName(linear.last);
     report.wallTime = wallTime;
     return report;
+}
+
+
+void Foam::shellModel::resetIntegrator()
+{
+    const positionalShell::LinearSolverReport& linear =
+        integrator_->linearReport();
+    earlierFactors_.nCholesky += linear.nCholesky;
+    earlierFactors_.nLU += linear.nLU;
+    earlierFactors_.nIndefinite += linear.nIndefinite;
+    integrator_->reset();
+    writtenSinceStep_ = false;
 }
 
 
@@ -55,7 +73,16 @@ void Foam::shellModel::stopAfterStep
 ) const
 {
     const scalar t = now_.state.time;
-    const word timeName(Time::timeName(t));
+    const bool ownParameter = integrator_->ownParameter();
+    const word timeName
+    (
+        Time::timeName
+        (
+            ownParameter
+          ? runTime_.value() - runTime_.deltaTValue()
+          : t
+        )
+    );
 
     // The start of a run is on disk or is the state of rest
     string lastGood("the start of this run");
@@ -66,14 +93,19 @@ void Foam::shellModel::stopAfterStep
     }
 
     FatalErrorInFunction
-        << "The shell's step from time " << t << " to " << t + dt
-        << " failed:" << nl
+        << "The shell's step from "
+        << (ownParameter ? "load parameter " : "time ") << t
+        << (ownParameter ? " (first increment " : " to ")
+        << (ownParameter ? dt : t + dt)
+        << (ownParameter ? ")" : "") << " failed:" << nl
         << problem.c_str() << nl
         << "    The last good state is " << lastGood.c_str() << nl
         << "    Reduce deltaT in system/controlDict"
         << (dynamic_ ? "" : " (the load step)")
-        << "; if the residual was still falling, raise maxIterations in"
-        << " newton of " << properties_.objectPath() << nl
+        << ", or allow more cuts of a step (maxCuts in newton of "
+        << properties_.objectPath()
+        << "); if the residual was still falling, raise maxIterations there"
+        << nl
         << exit(FatalError);
 
     std::abort();
@@ -116,6 +148,36 @@ void Foam::shellModel::initialise(const positionalShell::Vector& force)
 }
 
 
+positionalShell::Vector Foam::shellModel::givenForce() const
+{
+    return
+        now_.externalForce
+      - totalForce(loads_, *model_, now_.state.position, now_.state.time);
+}
+
+
+std::vector<DynamicStep> Foam::shellModel::integrate
+(
+    const scalar dt,
+    const positionalShell::Vector& force
+)
+{
+    try
+    {
+        const untrappedFpe untrapped;
+        const positionalShell::Vector atStart(givenForce());
+        return integrator_->advance
+        (
+            now_.state, dt, loads_, {&atStart, &force}, now_.memory
+        );
+    }
+    catch (const positionalShell::SingularMatrix& problem)
+    {
+        stopAfterStep(dt, problem.what());
+    }
+}
+
+
 void Foam::shellModel::advance
 (
     const scalar dt,
@@ -127,33 +189,25 @@ void Foam::shellModel::advance
 
     if (writtenSinceStep_)
     {
-        integrator_->reset();
-        writtenSinceStep_ = false;
+        resetIntegrator();
     }
 
     const clockTime timer;
-    DynamicStep step;
-    try
+    const std::vector<DynamicStep> steps(integrate(dt, force));
+    if (!steps.back().converged)
     {
-        const untrappedFpe untrapped;
-        step = integrator_->step(now_.state, dt, loads_, force);
-    }
-    catch (const positionalShell::SingularMatrix& problem)
-    {
-        stopAfterStep(dt, problem.what());
+        stopAfterStep(dt, steps.back().report.describe());
     }
 
-    if (!step.converged)
+    for (const DynamicStep& step : steps)
     {
-        stopAfterStep(dt, step.report.describe());
+        now_.account->add(step);
     }
-
-    now_.account->add(step);
-    now_.state = step.state;
-    now_.externalForce = step.externalForce;
+    now_.state = steps.back().state;
+    now_.externalForce = steps.back().externalForce;
     now_.report = summary
     (
-        step, integrator_->linearReport(), timer.elapsedTime()
+        steps, integrator_->linearReport(), timer.elapsedTime()
     );
 
     stepTime_ += now_.report.wallTime;

@@ -150,6 +150,18 @@ Foam::shellRestart Foam::readShellState
         setNodeScalars(values, part.first, part.full(restart));
     }
 
+    if (shellFileExists(runTime, folder, "integratorMemory"))
+    {
+        const scalarIOField values
+        (
+            shellFile(runTime, folder, "integratorMemory")
+        );
+        restart.memory = Eigen::Map<const fullVector>
+        (
+            values.cdata(), values.size()
+        );
+    }
+
     const IOdictionary dict(shellFile(runTime, folder, "stateDict"));
     restart.state.time = dict.get<scalar>("time");
     restart.energies = shellEnergies::read(dict);
@@ -187,6 +199,23 @@ void Foam::writeShellState
             part.file,
             scalarIOField::typeName,
             nodeScalars(part.full(values), part.first)()
+        );
+    }
+
+    if (restart.memory.size() > 0)
+    {
+        const label n = restart.memory.size();
+        const UList<scalar> memory
+        (
+            const_cast<scalar*>(restart.memory.data()), n
+        );
+        writeShellFile
+        (
+            runTime,
+            folder,
+            "integratorMemory",
+            scalarIOField::typeName,
+            scalarField(memory)
         );
     }
 

@@ -145,7 +145,9 @@ positionalShell::TimeFunctionPtr Foam::readMotion
 
     if (!withDerivatives)
     {
-        return positionalShell::timeFunction(valueOf(f));
+        // Statics: time is the load parameter, nothing has a rate
+        const auto none = [](double) { return 0.0; };
+        return positionalShell::timeFunction(valueOf(f), none, none);
     }
 
     const word& type = f->type();

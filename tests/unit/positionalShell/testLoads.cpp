@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "BlastWave.hpp"
 #include "BodyForce.hpp"
 #include "EdgeLoad.hpp"
 #include "FollowerPressure.hpp"
@@ -205,4 +206,76 @@ TEST(Loads, pressureOnAFaceUsesItsLeverArm)
     Vector swell = Vector::Zero(q.size());
     for (int i = 0; i < plate.nNodes(); ++i) swell[7*i + 5] = 1;
     EXPECT_NEAR(f.dot(swell), -3*0.1, 1e-14);
+}
+
+// Peak, arrival and decay by position; the impulse of the positive phase is the formula's
+TEST(BlastWave, isFriedlandersHistoryBehindItsFront)
+{
+    BlastWave blast;
+    blast.centre = {0, 0, -1};
+    blast.referenceDistance = 2;
+    blast.peak = 5e4;
+    blast.peakExponent = 1.5;
+    blast.arrival = 3e-3;
+    blast.speed = 400;
+    blast.duration = 2e-3;
+    blast.decay = 1.3;
+    blast.check();
+
+    const Vec3 near(0, 0, 1);
+    EXPECT_EQ(blast.value(near, 2.999e-3), 0);
+    EXPECT_NEAR(blast.value(near, 3e-3), 5e4, 1e-6);
+    EXPECT_NEAR(blast.value(near, 5e-3), 0, 1e-6);
+    EXPECT_LT(blast.value(near, 6e-3), 0) << "the phase of suction";
+
+    // Twice as far: later by 2/400 and lower by 2^1.5
+    const Vec3 far(0, 4, -1);
+    EXPECT_EQ(blast.value(far, 7.99e-3), 0);
+    EXPECT_NEAR(blast.value(far, 8e-3), 5e4/std::pow(2, 1.5), 1e-6);
+
+    double impulse = 0;
+    const int n = 2000;
+    for (int k = 0; k < n; ++k)
+    {
+        impulse += blast.value(near, 3e-3 + 2e-3*(k + 0.5)/n)*2e-3/n;
+    }
+    const double b = 1.3;
+    const double exact = 5e4*2e-3*(b - 1 + std::exp(-b))/(b*b);
+    EXPECT_NEAR(impulse, exact, 1e-6*exact);
+
+    blast.speed = 0;
+    EXPECT_NE(errorOf([&] { blast.check(); }).find("speed"), std::string::npos);
+}
+
+// Far from the charge a blast is a follower pressure; near it, only the part of the shell
+// that the front has passed is loaded
+TEST(BlastWave, loadsWhatTheFrontHasPassed)
+{
+    const Patch patch;
+    const Vector q = randomState(patch.mesh, 0.05, 3);
+    auto blast = std::make_shared<BlastWave>();
+    blast->peak = 7;
+    blast->duration = 1e3;
+    blast->speed = 1e9;
+    const FollowerPressure byPosition(patch.model, "all", blast, constant(2), 1);
+    const double p = 14*(1 - 1e-3)*std::exp(-1e-3);
+    const FollowerPressure uniform(patch.model, "all", p, constant(1), 1);
+    const Vector expected = forceOf(uniform, patch.model, q, 1);
+    EXPECT_LT
+    (
+        (forceOf(byPosition, patch.model, q, 1) - expected).norm(), 1e-8*expected.norm()
+    );
+
+    // The front has come half the way along a plate of area 2
+    const ShellMesh mesh = rectangleMesh(8, 1, Vec3::Zero(), {2, 0, 0}, {0, 1, 0});
+    const ShellModel plate(mesh, {{"all", 0.1, material(3, 0.3)}}, Constraints(mesh).dofMap());
+    auto front = std::make_shared<BlastWave>();
+    front->centre = {-1000, 0.5, 0};
+    front->referenceDistance = 1000;
+    front->peak = 3;
+    front->duration = 1e6;
+    front->speed = 1;
+    const FollowerPressure load(plate, "all", front);
+    const Vec3 total = resultant(forceOf(load, plate, mesh.initialPositions(), 1));
+    EXPECT_NEAR(total[2], -3, 0.02);
 }

@@ -5,7 +5,7 @@
 
 #include "ShellTestModels.hpp"
 
-#include "ElementBatch.hpp"
+#include "AssumedInterpolation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,14 +18,32 @@ namespace
 
 constexpr double thickness = 0.1;
 
-std::unique_ptr<ShellModel> curvedModel(MaterialPtr m, IntegrationOptions rule = {})
+std::unique_ptr<ShellModel> curvedModel
+(
+    MaterialPtr m,
+    ElementForm form = ElementForm::displacement,
+    IntegrationOptions rule = {}
+)
 {
     const ShellMesh mesh = curvedPatch();
     return std::make_unique<ShellModel>
     (
-        mesh, std::vector<Section>{{"all", thickness, m}}, Constraints(mesh).dofMap(), rule
+        mesh, std::vector<Section>{{"all", thickness, m}}, Constraints(mesh).dofMap(), rule, form
     );
 }
+
+//- What must hold for every element form
+class ElementForms : public testing::TestWithParam<ElementForm>
+{};
+
+const auto allForms = testing::Values(ElementForm::displacement, ElementForm::assumedStrain);
+
+std::string formName(const testing::TestParamInfo<ElementForm>& form)
+{
+    return elementFormName(form.param);
+}
+
+INSTANTIATE_TEST_SUITE_P(ShellModel, ElementForms, allForms, formName);
 
 void checkForceAndTangent(const ShellModel& model, int seed)
 {
@@ -65,34 +83,37 @@ Eigen::Matrix3d someRotation()
 
 } // namespace
 
-TEST(ShellModel, forceIsTheDerivativeOfEnergyAndTangentThatOfForce)
+TEST_P(ElementForms, forceIsTheDerivativeOfEnergyAndTangentThatOfForce)
 {
-    const auto model = curvedModel(material(3, 0.3));
+    const auto model = curvedModel(material(3, 0.3), GetParam());
     for (int seed : {1, 2, 3}) checkForceAndTangent(*model, seed);
 }
 
-TEST(ShellModel, derivativesHoldForEveryIntegrationRule)
+TEST_P(ElementForms, derivativesHoldForEveryIntegrationRule)
 {
-    for (int area : {7, 12, 16})
+    for (int area : {6, 7, 12, 16, 25})
     {
         for (int through : {2, 3, 5})
         {
-            checkForceAndTangent(*curvedModel(material(3, 0.3), {area, through}), area + through);
+            checkForceAndTangent
+            (
+                *curvedModel(material(3, 0.3), GetParam(), {area, through}), area + through
+            );
         }
     }
 }
 
-TEST(ShellModel, derivativesHoldForAMaterialThatIsNotLinear)
+TEST_P(ElementForms, derivativesHoldForAMaterialThatIsNotLinear)
 {
-    const auto model = curvedModel(std::make_shared<CubicMaterial>(3, 0.3, 4));
+    const auto model = curvedModel(std::make_shared<CubicMaterial>(3, 0.3, 4), GetParam());
     for (int seed : {1, 2}) checkForceAndTangent(*model, seed);
 }
 
 // The general path with a linear law must give what the fast path gives
-TEST(ShellModel, generalAndLinearMaterialPathsAgree)
+TEST_P(ElementForms, generalAndLinearMaterialPathsAgree)
 {
-    const auto fast = curvedModel(material(3, 0.3));
-    const auto general = curvedModel(std::make_shared<CubicMaterial>(3, 0.3, 0));
+    const auto fast = curvedModel(material(3, 0.3), GetParam());
+    const auto general = curvedModel(std::make_shared<CubicMaterial>(3, 0.3, 0), GetParam());
     const Vector q = randomState(fast->mesh(), 0.05, 7);
     EXPECT_NEAR(fast->strainEnergy(q), general->strainEnergy(q), 1e-12*fast->strainEnergy(q));
     const Vector f = fast->internalForce(q);
@@ -101,10 +122,13 @@ TEST(ShellModel, generalAndLinearMaterialPathsAgree)
     EXPECT_LT((K - general->tangent(q)).norm(), 1e-12*K.norm());
 }
 
-TEST(ShellModel, vectorInstructionsGiveTheSameForces)
+TEST_P(ElementForms, vectorInstructionsGiveTheSameForces)
 {
-    const BatchKernel* fast = avx2Kernel();
-    if (!fast || &batchKernel() != fast) GTEST_SKIP() << "no AVX2 here: nothing to compare";
+    const BatchKernel* fast = avx2Kernel(GetParam());
+    if (!fast || &batchKernel(GetParam()) != fast)
+    {
+        GTEST_SKIP() << "no AVX2 here: nothing to compare";
+    }
 
     ElementRule rule;
     rule.thickness = gaussRule(3);
@@ -115,7 +139,12 @@ TEST(ShellModel, vectorInstructionsGiveTheSameForces)
     {
         for (int d = 0; d < 3; ++d) rule.area[0].phi[j][d] = random[70 + 3*j + d];
     }
-    ElementBatch batch{nullptr, 0.1, lanes, {0, 1, 2, 3}, {}, {}};
+    if (GetParam() == ElementForm::assumedStrain)
+    {
+        rule.assumed = assumedInterpolation(triangleRule(7));
+        rule.assumed.points.resize(1);
+    }
+    ElementBatch batch{nullptr, 0.1, lanes, {0, 1, 2, 3}, {}, {}, {}};
     batch.points.resize(3);
     ElementVector q;
     for (int l = 0; l < lanes; ++l)
@@ -130,7 +159,7 @@ TEST(ShellModel, vectorInstructionsGiveTheSameForces)
     ElementVector a;
     ElementVector b;
     fast->force(rule, batch, q, a);
-    baselineKernel().force(rule, batch, q, b);
+    baselineKernel(GetParam()).force(rule, batch, q, b);
     double difference = 0;
     double size = 0;
     for (int k = 0; k < dofsPerElement; ++k)
@@ -145,9 +174,9 @@ TEST(ShellModel, vectorInstructionsGiveTheSameForces)
     EXPECT_LT(difference, 1e-13*size);
 }
 
-TEST(ShellModel, theInitialStateIsFreeOfStress)
+TEST_P(ElementForms, theInitialStateIsFreeOfStress)
 {
-    const auto model = curvedModel(material(3, 0.3));
+    const auto model = curvedModel(material(3, 0.3), GetParam());
     const Vector q = model->mesh().initialPositions();
     const double stiffness = 3*thickness;
     EXPECT_LT(model->strainEnergy(q), 1e-28*stiffness);
@@ -155,18 +184,18 @@ TEST(ShellModel, theInitialStateIsFreeOfStress)
     EXPECT_NEAR(model->minimumVolumeRatio(q), 1, 1e-12);
 }
 
-TEST(ShellModel, rigidMotionsGiveNoEnergyAndNoForce)
+TEST_P(ElementForms, rigidMotionsGiveNoEnergyAndNoForce)
 {
-    const auto model = curvedModel(material(3, 0.3));
+    const auto model = curvedModel(material(3, 0.3), GetParam());
     const Vector q = rotated(model->mesh().initialPositions(), someRotation(), {3, -2, 1});
     const double stiffness = 3*thickness;
     EXPECT_LT(model->strainEnergy(q), 1e-28*stiffness);
     EXPECT_LT(model->internalForce(q).norm(), 1e-13*stiffness);
 }
 
-TEST(ShellModel, energyAndForceTurnWithTheBody)
+TEST_P(ElementForms, energyAndForceTurnWithTheBody)
 {
-    const auto model = curvedModel(material(3, 0.3));
+    const auto model = curvedModel(material(3, 0.3), GetParam());
     const Vector q = randomState(model->mesh(), 0.05, 11);
     const Eigen::Matrix3d R = someRotation();
     const Vector turned = rotated(q, R, {3, -2, 1});
@@ -179,9 +208,9 @@ TEST(ShellModel, energyAndForceTurnWithTheBody)
     );
 }
 
-TEST(ShellModel, tangentIsSymmetric)
+TEST_P(ElementForms, tangentIsSymmetric)
 {
-    const auto model = curvedModel(material(3, 0.3));
+    const auto model = curvedModel(material(3, 0.3), GetParam());
     const SparseMatrix K = model->tangent(randomState(model->mesh(), 0.05, 4));
     const SparseMatrix T = K.transpose();
     EXPECT_EQ((K - T).norm(), 0);

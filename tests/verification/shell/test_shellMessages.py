@@ -44,6 +44,10 @@ def line(file, text):
     ("nu      0;", "", ["nu is missing", "E nu rho"]),
     ("nu      0;", "nu 0; G 1;", ["unknown parameter G", "E nu rho"]),
     ("nu      0;", "nu 0.5;", ["0.5"]),
+    ("nu      0;", "nu 0; axis (1 0 0);",
+     ["the same in all directions", "axis"]),
+    ("type    SaintVenantKirchhoff;", "type orthotropic;",
+     ["parameter E1 is missing", "nu12", "G13"]),
     ("type        clamped;", "type        clampd;",
      ["Unknown type clampd", "clamped", "hinged", "planeStrainStrip"]),
     ("nodeSet     root;", "nodeSet     foot;",
@@ -56,8 +60,14 @@ def line(file, text):
      ["Unknown keyword factr", "elementSet traction type factor"]),
     ("traction    (0 0 0.4);", "traction (0 0 1); factor ramp;",
      ["Unknown Function1 type ramp", "polynomial"]),
+    ("type        traction;\n        traction    (0 0 0.4);",
+     "type blastWave; centre (5 0 5); referenceDistance 5; peak 1;\n"
+     "arrival 0; speed 400; duration -1; decay 1;",
+     ["blast wave: duration", "not positive"]),
     ("analysis        dynamic;", "analysis        dynamical;",
      ["Unknown analysis dynamical", "dynamic static"]),
+    ("analysis        dynamic;", "elementForm strain;",
+     ["Unknown elementForm strain", "displacement assumedStrain"]),
     ("timeIntegrator  Newmark;", "timeIntegrator  Euler;",
      ["Unknown", "Euler", "Newmark"]),
     ("timeIntegrator  Newmark;", "timeIntegrator  loadSteps;",
@@ -65,6 +75,20 @@ def line(file, text):
     ("timeIntegrator  Newmark;",
      "timeIntegrator  Newmark; NewmarkCoeffs { gamma 0.4; }",
      ["gamma", "less than 1/2"]),
+    ("timeIntegrator  Newmark;",
+     "timeIntegrator generalisedAlpha;"
+     " generalisedAlphaCoeffs { spectralRadius 2; }",
+     ["spectralRadius 2", "between 0 and 1"]),
+    ("timeIntegrator  Newmark;",
+     "timeIntegrator  Newmark; errorTolerance -1;",
+     ["errorTolerance", "negative"]),
+    ("timeIntegrator  Newmark;",
+     "timeIntegrator  Newmark; newton { lineSearch sometimes; }",
+     ["Unknown lineSearch sometimes", "off whenNeeded always"]),
+    ("analysis        dynamic;", "analysis static; staticMethod Riks;",
+     ["Unknown staticMethod", "Riks", "arcLength", "loadSteps"]),
+    ("analysis        dynamic;", "analysis static; staticMethod Newmark;",
+     ["Newmark is for dynamics", "select another"]),
     ("mesh            shell;", "mesh shell; meshes 2;",
      ["Unknown keyword meshes", "timeIntegrator"]),
     ("sections", "section", ["Unknown keyword section", "sections"]),
@@ -149,3 +173,18 @@ def test_failure_of_the_first_step_leaves_the_start_alone(meshed, tmp_path):
     )
     assert "step from time 0 to 0.002 failed" in message
     assert not (tmp_path / "case" / "0").exists()
+
+
+def test_a_step_that_fails_says_what_is_left(meshed, tmp_path):
+    """One iteration a step, no cuts: the run stops at the first step that
+    needs two, with the last good state written."""
+    message = failure(
+        meshed, tmp_path / "case", "constant/shellProperties",
+        "timeIntegrator  Newmark;",
+        "timeIntegrator  Newmark;\n"
+        "newton { maxIterations 1; maxCuts 0; }",
+    )
+    assert "step from time" in message
+    assert "no convergence in 1 iterations" in message
+    assert "last good state is" in message
+    assert "maxCuts" in message

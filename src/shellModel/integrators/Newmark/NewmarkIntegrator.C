@@ -5,8 +5,6 @@
 #include "NewmarkIntegrator.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
-#include "newtonControls.H"
-#include "shellInput.H"
 
 namespace Foam
 {
@@ -18,62 +16,29 @@ namespace shellIntegrators
 }
 
 
-static positionalShell::NewmarkOptions readOptions
-(
-    const Foam::dictionary& shellProperties
-)
-{
-    using namespace Foam;
-
-    const dictionary coeffs(coeffsDict(shellProperties, "Newmark"));
-    checkKeywords(coeffs, {"beta", "gamma"});
-
-    positionalShell::NewmarkOptions options;
-    coeffs.readIfPresent("beta", options.beta);
-    coeffs.readIfPresent("gamma", options.gamma);
-    shellProperties.readIfPresent("massDamping", options.massDamping);
-    options.newton = readNewtonControls(shellProperties, options.newton);
-    return options;
-}
-
-
 Foam::shellIntegrators::Newmark::Newmark
 (
     const positionalShell::ShellModel& model,
     const dictionary& shellProperties
 )
 :
-    model_(model),
-    options_(readOptions(shellProperties))
+    dynamicIntegrator(shellProperties),
+    model_(model)
 {
-    rejectedIn(shellProperties, [this] { reset(); });
+    const dictionary coeffs(coeffsDict(shellProperties, "Newmark"));
+    checkKeywords(coeffs, {"beta", "gamma"});
+    coeffs.readIfPresent("beta", options_.beta);
+    coeffs.readIfPresent("gamma", options_.gamma);
+    readOptions(shellProperties, options_);
+    start(shellProperties);
 }
 
 
-void Foam::shellIntegrators::Newmark::initialise
-(
-    positionalShell::ShellState& state,
-    const positionalShell::Loads& loads,
-    const positionalShell::Vector& fixedForce
-)
+std::unique_ptr<positionalShell::TimeIntegrator>
+Foam::shellIntegrators::Newmark::make() const
 {
-    method_->initialise(state, loads, &fixedForce);
-}
-
-
-positionalShell::DynamicStep Foam::shellIntegrators::Newmark::step
-(
-    const positionalShell::ShellState& start,
-    const scalar dt,
-    const positionalShell::Loads& loads,
-    const positionalShell::Vector& fixedForce
-)
-{
-    return method_->step(start, dt, loads, &fixedForce);
-}
-
-
-void Foam::shellIntegrators::Newmark::reset()
-{
-    method_.reset(new positionalShell::Newmark(model_, options_));
+    return std::unique_ptr<positionalShell::TimeIntegrator>
+    (
+        new positionalShell::Newmark(model_, options_)
+    );
 }

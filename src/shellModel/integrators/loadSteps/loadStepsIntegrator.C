@@ -25,32 +25,38 @@ Foam::shellIntegrators::loadSteps::loadSteps
     model_(model),
     options_
     (
-        readNewtonControls(shellProperties, positionalShell::NewtonOptions())
+        readNewtonControls(shellProperties, positionalShell::NewtonOptions()),
+        readMaxCuts(shellProperties)
     )
 {
     reset();
 }
 
 
-positionalShell::DynamicStep Foam::shellIntegrators::loadSteps::step
+std::vector<positionalShell::DynamicStep>
+Foam::shellIntegrators::loadSteps::advance
 (
     const positionalShell::ShellState& start,
     const scalar dt,
     const positionalShell::Loads& loads,
-    const positionalShell::Vector& fixedForce
+    const positionalShell::GivenForce& given,
+    positionalShell::Vector&
 )
 {
     const positionalShell::StaticStep found =
-        solver_->step(start, start.time + dt, loads, &fixedForce);
+        solver_->step(start, start.time + dt, loads, given.end);
 
     positionalShell::DynamicStep result;
     result.converged = found.converged;
     result.state = found.state;
     result.report = found.report;
     result.externalForce =
-        fixedForce
-      + totalForce(loads, model_, found.state.position, found.state.time);
-    return result;
+        totalForce(loads, model_, found.state.position, found.state.time);
+    if (given.end)
+    {
+        result.externalForce += *given.end;
+    }
+    return {result};
 }
 
 

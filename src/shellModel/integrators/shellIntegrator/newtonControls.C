@@ -5,6 +5,7 @@
 #include "newtonControls.H"
 #include "dictionaryCheck.H"
 
+using positionalShell::LineSearch;
 using positionalShell::NewtonOptions;
 using positionalShell::TangentUpdate;
 
@@ -43,7 +44,7 @@ positionalShell::NewtonOptions Foam::readNewtonControls
         dict,
         {
             "maxIterations", "residualTolerance", "incrementTolerance",
-            "tangentUpdate", "keptIterations"
+            "tangentUpdate", "keptIterations", "lineSearch", "maxCuts"
         }
     );
 
@@ -65,5 +66,25 @@ positionalShell::NewtonOptions Foam::readNewtonControls
           ? TangentUpdate::everyIteration
           : TangentUpdate::whenSlow;
     }
+    if (dict.found("lineSearch"))
+    {
+        const label choice =
+            selectEntry(dict, "lineSearch", {"off", "whenNeeded", "always"});
+        options.lineSearch = static_cast<LineSearch>(choice);
+    }
     return options;
+}
+
+
+Foam::label Foam::readMaxCuts(const dictionary& shellProperties)
+{
+    const dictionary dict(shellProperties.subOrEmptyDict("newton"));
+    const label maxCuts = dict.lookupOrDefault<label>("maxCuts", 10);
+    if (maxCuts < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "maxCuts must not be negative, not " << maxCuts << nl
+            << exit(FatalIOError);
+    }
+    return maxCuts;
 }

@@ -13,6 +13,7 @@ namespace Foam
 
 Foam::autoPtr<Foam::shellIntegrator> Foam::shellIntegrator::New
 (
+    const word& keyword,
     const word& type,
     const positionalShell::ShellModel& model,
     const dictionary& shellProperties
@@ -25,7 +26,7 @@ Foam::autoPtr<Foam::shellIntegrator> Foam::shellIntegrator::New
         FatalIOErrorInLookup
         (
             shellProperties,
-            "timeIntegrator",
+            keyword,
             type,
             *dictionaryConstructorTablePtr_
         ) << exit(FatalIOError);
