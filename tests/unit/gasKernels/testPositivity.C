@@ -134,6 +134,64 @@ TYPED_TEST(Positivity, limitedDensityStaysWithinItsBounds)
 }
 
 
+// Against plain loops: what a node collects, (G48)
+TYPED_TEST(Positivity, nodesCollectFromAllTheirEdges)
+{
+    constexpr int dim = TypeParam::value;
+    using place = gasKernel::collectedPlace;
+    for (const auto& kernels : gasKernel::gasKernels<dim>::available())
+    {
+        const scene<dim> s(100, 1, 1, 3);
+        const stepResult r = step(s, kernels, 0.8);
+        std::vector<double> expected(r.begun);
+        for (std::size_t e = 0; e < s.first.size(); ++e)
+        {
+            for (const int sign : {-1, 1})
+            {
+                const int a = sign < 0 ? s.first[e] : s.second[e];
+                const int b = sign < 0 ? s.second[e] : s.first[e];
+                if (a == s.nNodes)
+                {
+                    continue;
+                }
+                const double rho = sign*r.flux[e];
+                double* row = &expected[place::size*a];
+                row[place::rho + (rho < 0)] += rho;
+                double along = 0;
+                for (int k = 0; k < dim; ++k)
+                {
+                    along -=
+                        r.limited[rowSize*a + 2 + dim + k]
+                       *r.limited[rowSize*b + 2 + k];
+                }
+                double& fastest = row[place::velocityBound];
+                fastest = std::max(fastest, along);
+                for (int k = 0; k < rowSize; ++k)
+                {
+                    double& bound = row[place::bounds + k];
+                    bound = std::max(bound, r.bounds[rowSize*b + k]);
+                }
+            }
+        }
+        for (int a = 0; a < s.nNodes; ++a)
+        {
+            for (int k = 0; k < place::size; ++k)
+            {
+                if (k != place::energy && k != place::energy + 1
+                 && k != place::velocity)
+                {
+                    EXPECT_NEAR
+                    (
+                        r.collected[place::size*a + k],
+                        expected[place::size*a + k], 1e-12
+                    )   << kernels.name << ", node " << a << ", entry " << k;
+                }
+            }
+        }
+    }
+}
+
+
 TYPED_TEST(Positivity, totalsStay)
 {
     constexpr int dim = TypeParam::value;
