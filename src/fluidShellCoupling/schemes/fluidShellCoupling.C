@@ -153,12 +153,14 @@ bool Foam::fluidShellCoupling::adjustTimeStep() const
 
 Foam::scalar Foam::fluidShellCoupling::maxCo() const
 {
+    const scalar most = gas_.maxCourant();
     const scalar value =
-        time_.controlDict().getOrDefault<scalar>("maxCo", 0.8);
-    if (value <= 0 || value > 1)
+        time_.controlDict().getOrDefault<scalar>("maxCo", min(0.8, 0.9*most));
+    if (value <= 0 || value > most)
     {
         FatalIOErrorInFunction(time_.controlDict())
-            << "maxCo is " << value << ", but must be in (0, 1]"
+            << "maxCo is " << value << ", but must be in (0, " << most
+            << "], where the time scheme of system/feSchemes is stable"
             << exit(FatalIOError);
     }
     return value;

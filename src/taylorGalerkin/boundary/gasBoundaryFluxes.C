@@ -208,8 +208,14 @@ void Foam::gasBoundary<dim>::addFarFieldFluxes
             {
                 continue;
             }
-            // The velocity along S that sweeps the same volume
+            // Facets that face each other let nothing through together
             const Vec& S = node.S;
+            if (S.squaredNorm() == 0)
+            {
+                continue;
+            }
+
+            // The velocity along S that sweeps the same volume
             const Vec w = swept[i]/S.squaredNorm()*S;
             const Eigen::Map<const State> inner(states[node.a].v);
             const State f = gasDynamics::farFieldFlux<dim>

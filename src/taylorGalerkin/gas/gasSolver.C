@@ -152,7 +152,13 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
         << "    timeScheme " << feSchemes_.get<word>("timeScheme")
         << ", shockCapturing "
         << feSchemes_.getOrDefault<word>("shockCapturing", "fluxCorrected")
-        << nl;
+        << ", stable up to Courant number " << maxCourant() << nl;
+    if (feSchemes_.get<word>("timeScheme") == "threeStep")
+    {
+        Info<< "    in gas at rest only: in moving gas threeStep lets sound"
+            << " grow where artificial" << nl
+            << "    viscosity does not cover it; twoStep does not" << nl;
+    }
     if (transport_.isPresent())
     {
         Info<< "    viscous: kappa/mu " << transport_.kappaOverMu()
