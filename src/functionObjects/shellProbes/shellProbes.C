@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 #include "shellProbes.H"
 #include "addToRunTimeSelectionTable.H"
-#include "shellModel.H"
+#include "registeredShell.H"
 #include "shellVector.H"
 
 using positionalShell::MotionMap;
@@ -28,17 +28,7 @@ static const Foam::wordList validFields
 
 const Foam::shellModel& Foam::functionObjects::shellProbes::shell() const
 {
-    const auto* shell = time_.findObject<shellModel>(shellModel::typeName);
-
-    if (!shell)
-    {
-        FatalErrorInFunction
-            << "Function object " << name() << " of type " << typeName
-            << ": the case has no shell (constant/shellProperties), or the"
-            << " application does not compute it" << nl
-            << exit(FatalError);
-    }
-    return *shell;
+    return registeredShell(time_, name(), typeName);
 }
 
 

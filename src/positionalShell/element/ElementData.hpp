@@ -40,6 +40,10 @@ public:
     void addTangent(const Vector& q, SystemMatrix& K) const;
     double leastVolumeRatio(const Vector& q) const;
 
+    //- Gap (A7) of a state as covariant strains (S7), by element, then area point;
+    //  empty for the displacement form (ElementDataResults.cpp)
+    std::vector<Strain> strainGaps(const Vector& q) const;
+
     // Two states (ElementDataTwoStates.cpp), see BatchKernel
 
         void addExtrapolatedTangent

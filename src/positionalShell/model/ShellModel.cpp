@@ -282,6 +282,11 @@ double ShellModel::minimumVolumeRatio(const Vector& q) const
     return elements_->leastVolumeRatio(q);
 }
 
+std::vector<Strain> ShellModel::strainGaps(const Vector& q) const
+{
+    return elements_->strainGaps(q);
+}
+
 void ShellModel::makeMass()
 {
     using Entry = Eigen::Triplet<double>;

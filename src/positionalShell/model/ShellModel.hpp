@@ -108,6 +108,10 @@ public:
         //  as no point of the body is turned inside out
         double minimumVolumeRatio(const Vector& q) const;
 
+        //- What assumed strains add to those of the motion, (A7): covariant, (S7),
+        //  by element, then area point; empty for the displacement form
+        std::vector<Strain> strainGaps(const Vector& q) const;
+
     // Inertia: M is constant, zero on the thickness strain a
 
         //- M v, full vectors

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "EnergyBalance.hpp"
+#include "Reactions.hpp"
 
 namespace positionalShell
 {
@@ -17,29 +18,12 @@ EnergyBalance::EnergyBalance
     massDamping_(massDamping),
     last_(start),
     lastForce_(externalForce),
-    lastReaction_(reaction(start, externalForce)),
+    lastReaction_(reactions(model, start, externalForce, massDamping)),
+    reaction_(lastReaction_),
     kinetic_(model.kineticEnergy(start.velocity)),
     strain_(model.strainEnergy(start.position))
 {
     initialTotal_ = kinetic_ + strain_;
-}
-
-//- Force of the supports on the driven and fixed unknowns
-Vector EnergyBalance::reaction
-(
-    const ShellState& state,
-    const Vector& externalForce
-) const
-{
-    Vector balance = model_.internalForce(state.position) - externalForce;
-    const Vector rate = state.acceleration + massDamping_*state.velocity;
-    model_.addMassTimes(1, rate, balance);
-    Vector result = Vector::Zero(balance.size());
-    for (const auto& p : model_.dofs().prescribed())
-    {
-        result[p.index] = balance[p.index];
-    }
-    return result;
 }
 
 void EnergyBalance::add(const DynamicStep& step)
@@ -47,7 +31,8 @@ void EnergyBalance::add(const DynamicStep& step)
     const ShellState& now = step.state;
     const double dt = now.time - last_.time;
     const Vector moved = now.position - last_.position;
-    const Vector react = reaction(now, step.externalForce);
+    const Vector react =
+        reactions(model_, now, step.externalForce, massDamping_);
 
     const bool given = step.meanForce.size() > 0;
     const Vector meanForce = given
@@ -75,6 +60,7 @@ void EnergyBalance::add(const DynamicStep& step)
     last_ = now;
     lastForce_ = step.externalForce;
     lastReaction_ = react;
+    reaction_ = given ? step.meanReaction : react;
 }
 
 double EnergyBalance::mismatch() const

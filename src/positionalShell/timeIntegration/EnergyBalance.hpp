@@ -35,6 +35,10 @@ public:
     double supportWork() const { return supportWork_; }
     double dissipated() const { return dissipated_; }
 
+    //- Force of the supports, full vector: at the end of the last step, or over it
+    //  where the integrator names those (energy-momentum), (R9)
+    const Vector& reaction() const { return reaction_; }
+
     //- Impulse of loads and supports [N s]
     const Vec3& impulse() const { return impulse_; }
 
@@ -48,6 +52,7 @@ private:
     ShellState last_;
     Vector lastForce_;
     Vector lastReaction_;
+    Vector reaction_;
     double kinetic_;
     double strain_;
     double initialTotal_ = 0;
@@ -55,8 +60,6 @@ private:
     double supportWork_ = 0;
     double dissipated_ = 0;
     Vec3 impulse_ = Vec3::Zero();
-
-    Vector reaction(const ShellState&, const Vector& externalForce) const;
 };
 
 } // namespace positionalShell

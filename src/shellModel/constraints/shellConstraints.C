@@ -136,6 +136,24 @@ positionalShell::DofMap Foam::readShellConstraints
 }
 
 
+std::vector<std::pair<Foam::word, Foam::word>> Foam::supportSets
+(
+    const dictionary& constraints
+)
+{
+    std::vector<std::pair<word, word>> result;
+    for (const entry& e : constraints)
+    {
+        const dictionary& dict = constraints.subDict(e.keyword());
+        if (dict.found("nodeSet") && dict.get<word>("type") != "tied")
+        {
+            result.push_back({e.keyword(), dict.get<word>("nodeSet")});
+        }
+    }
+    return result;
+}
+
+
 Foam::vector Foam::planeStrainDirection(const dictionary& constraints)
 {
     for (const entry& e : constraints)

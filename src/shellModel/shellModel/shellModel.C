@@ -235,7 +235,7 @@ Foam::shellModel::shellModel(const objectRegistry& db)
         {
             "mesh", "sections", "constraints", "loads", "analysis",
             "timeIntegrator", "staticMethod", "massDamping", "errorTolerance",
-            "newton", "elementForm", "integration", "vtk"
+            "newton", "elementForm", "integration", "vtk", "results"
         }
     );
 
@@ -251,7 +251,11 @@ Foam::shellModel::shellModel(const objectRegistry& db)
             (
                 runTime_,
                 *model_,
-                properties_.lookupOrDefault<word>("mesh", "shell")
+                properties_.lookupOrDefault<word>("mesh", "shell"),
+                shellResultFields
+                (
+                    properties_.subOrEmptyDict("results"), *model_
+                )
             )
         );
     }

@@ -65,7 +65,10 @@ void Foam::shellModel::writeModes
 {
     const EigenModes modes(findModes(*model_, now_.state.position, n, shift));
 
-    shellVTK vtk(runTime_, *model_, "modes");
+    shellVTK vtk
+    (
+        runTime_, *model_, "modes", shellResultFields(*model_)
+    );
     os  << "Shell frequencies [Hz]" << nl;
     for (label i = 0; i < n; ++i)
     {

@@ -3,6 +3,9 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "shellModel.H"
+#include "Reactions.hpp"
+#include "shellConstraints.H"
+#include "shellVector.H"
 
 void Foam::shellModel::writeState(const word& timeName) const
 {
@@ -79,9 +82,62 @@ void Foam::shellModel::reportStep(Ostream& os) const
     {
         os  << "Shell: taken in " << r.steps << " steps" << nl;
     }
+    const shellEnergies e(energies());
+
     os  << "Shell: max displacement = " << maxDisplacement()
-        << " m, strain energy = " << energies().strain
-        << " J, kinetic energy = " << energies().kinetic << " J" << endl;
+        << " m, strain energy = " << e.strain
+        << " J, kinetic energy = " << e.kinetic << " J" << nl
+        << "Shell: work of loads = " << e.externalWork
+        << " J, of supports = " << e.supportWork
+        << " J, dissipated = " << e.dissipated
+        << " J, mismatch = " << e.mismatch() << " J" << nl
+        << "Shell: reaction = " << reactions().back().force << " N" << endl;
+}
+
+
+Foam::wordList Foam::shellModel::reactionNames() const
+{
+    wordList names;
+    for (const auto& s : supportSets(properties_.subDict("constraints")))
+    {
+        names.append(s.first);
+    }
+    names.append("total");
+    return names;
+}
+
+
+std::vector<Foam::shellReaction> Foam::shellModel::reactions
+(
+    const vector& about
+) const
+{
+    const auto over = [&](const word& name, const word& nodeSet)
+    {
+        const positionalShell::ResultantForce sum
+        (
+            positionalShell::resultant
+            (
+                mesh().nodeSet(nodeSet),
+                now_.state.position,
+                now_.account->reaction(),
+                toShell(about)
+            )
+        );
+        return shellReaction{name, toFoam(sum.force), toFoam(sum.moment)};
+    };
+
+    std::vector<shellReaction> result;
+    if (!now_.account)
+    {
+        return result;
+    }
+    for (const auto& s : supportSets(properties_.subDict("constraints")))
+    {
+        result.push_back(over(s.first, s.second));
+    }
+    result.push_back(over("total", "all"));
+    return result;
 }
 
 

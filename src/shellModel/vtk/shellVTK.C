@@ -11,6 +11,7 @@
 
 using positionalShell::Component;
 using positionalShell::nodesPerElement;
+using positionalShell::ResultPoints;
 
 namespace Foam
 {
@@ -38,6 +39,32 @@ static void writeField
 }
 
 
+//- In double precision. The formatter itself rounds numbers to single
+//  precision, but passes bytes on as they are
+static void writeArray(vtk::formatter& format, const shellResultArray& array)
+{
+    format.openDataArray<double>(array.name);
+    if (array.nComponents > 1)
+    {
+        format.xmlAttr
+        (
+            vtk::fileAttr::NUMBER_OF_COMPONENTS, array.nComponents
+        );
+    }
+    format.closeTag();
+    format.writeSize(array.values.byteSize());
+
+    const auto* bytes =
+        reinterpret_cast<const uint8_t*>(array.values.cdata());
+    for (std::streamsize i = 0; i < array.values.byteSize(); ++i)
+    {
+        format.write(bytes[i]);
+    }
+    format.flush();
+    format.endDataArray();
+}
+
+
 static void writeLabels
 (
     vtk::formatter& format,
@@ -56,14 +83,15 @@ static void writeLabels
 static void writeCells
 (
     vtk::formatter& format,
-    const positionalShell::ShellMesh& mesh
+    const ResultPoints& points,
+    const label nElements
 )
 {
-    labelList nodes(nodesPerElement*mesh.nElements());
-    labelList offsets(mesh.nElements());
+    labelList nodes(nodesPerElement*nElements);
+    labelList offsets(nElements);
     forAll(offsets, elementi)
     {
-        const auto& triangle = mesh.triangle(elementi);
+        const auto& triangle = points.ofElement(elementi);
         std::copy
         (
             triangle.begin(),
@@ -72,7 +100,7 @@ static void writeCells
         );
         offsets[elementi] = nodesPerElement*(elementi + 1);
     }
-    const List<uint8_t> types(mesh.nElements(), lagrangeTriangle);
+    const List<uint8_t> types(nElements, lagrangeTriangle);
 
     format.tag(vtk::fileTag::CELLS);
     writeLabels(format, vtk::dataArrayAttr::CONNECTIVITY, nodes);
@@ -86,6 +114,24 @@ static void writeCells
     format.endTag(vtk::fileTag::CELLS);
 }
 
+
+//- Values of the nodes at the points
+static vectorField atPoints
+(
+    const ResultPoints& points,
+    const positionalShell::Vector& full,
+    const Component first
+)
+{
+    const vectorField values(nodeVectors(full, first));
+    vectorField result(points.size());
+    forAll(result, pointi)
+    {
+        result[pointi] = values[points.node(pointi)];
+    }
+    return result;
+}
+
 } // End namespace Foam
 
 
@@ -94,19 +140,21 @@ Foam::scalarField Foam::shellVTK::thickness
     const positionalShell::Vector& position
 ) const
 {
-    const positionalShell::ShellMesh& mesh = model_.mesh();
+    const ResultPoints& points = results_.points();
 
-    scalarField sum(mesh.nNodes(), 0);
-    scalarField count(mesh.nNodes(), 0);
-    for (label elementi = 0; elementi < mesh.nElements(); ++elementi)
+    scalarField result
+    (
+        mag(atPoints(points, position, Component::gx))
+    );
+    scalarField initial(points.size());
+    for (label elementi = 0; elementi < model_.mesh().nElements(); ++elementi)
     {
-        for (const int node : mesh.triangle(elementi))
+        for (const int point : points.ofElement(elementi))
         {
-            sum[node] += model_.thickness(elementi);
-            count[node] += 1;
+            initial[point] = model_.thickness(elementi);
         }
     }
-    return sum/count*mag(nodeVectors(position, Component::gx));
+    return initial*result;
 }
 
 
@@ -116,11 +164,12 @@ void Foam::shellVTK::writeGrid
     const positionalShell::ShellState& state
 ) const
 {
-    const positionalShell::ShellMesh& mesh = model_.mesh();
-    const vectorField points(nodeVectors(state.position, Component::x));
+    const ResultPoints& points = results_.points();
+    const label nElements = model_.mesh().nElements();
+    const vectorField places(atPoints(points, state.position, Component::x));
     const vectorField initial
     (
-        nodeVectors(mesh.initialPositions(), Component::x)
+        atPoints(points, model_.mesh().initialPositions(), Component::x)
     );
 
     std::ofstream os(path);
@@ -133,27 +182,31 @@ void Foam::shellVTK::writeGrid
     f.xmlHeader();
     f.beginVTKFile(vtk::fileTag::UNSTRUCTURED_GRID, word("1.0"));
     f.openTag(vtk::fileTag::PIECE)
-        .xmlAttr(vtk::fileAttr::NUMBER_OF_POINTS, label(mesh.nNodes()))
-        .xmlAttr(vtk::fileAttr::NUMBER_OF_CELLS, label(mesh.nElements()))
+        .xmlAttr(vtk::fileAttr::NUMBER_OF_POINTS, label(points.size()))
+        .xmlAttr(vtk::fileAttr::NUMBER_OF_CELLS, nElements)
         .closeTag();
 
     f.tag(vtk::fileTag::POINTS);
-    writeField(f, vtk::dataArrayAttrNames[vtk::dataArrayAttr::POINTS], points);
+    writeField(f, vtk::dataArrayAttrNames[vtk::dataArrayAttr::POINTS], places);
     f.endTag(vtk::fileTag::POINTS);
 
-    writeCells(f, mesh);
+    writeCells(f, points, nElements);
 
     f.beginPointData();
-    writeField(f, "displacement", vectorField(points - initial));
+    writeField(f, "displacement", vectorField(places - initial));
     writeField
     (
-        f, "velocity", nodeVectors(state.velocity, Component::x)()
+        f, "velocity", atPoints(points, state.velocity, Component::x)
     );
     writeField
     (
-        f, "director", nodeVectors(state.position, Component::gx)()
+        f, "director", atPoints(points, state.position, Component::gx)
     );
     writeField(f, "thickness", thickness(state.position));
+    for (const shellResultArray& array : results_.at(state.position))
+    {
+        writeArray(f, array);
+    }
     f.endPointData();
 
     f.endPiece();
@@ -171,12 +224,14 @@ Foam::shellVTK::shellVTK
 (
     const Time& runTime,
     const positionalShell::ShellModel& model,
-    const word& name
+    const word& name,
+    shellResultFields results
 )
 :
     runTime_(runTime),
     model_(model),
     name_(name),
+    results_(std::move(results)),
     series_
     (
         runTime.globalPath()/"VTK"/(name + ".pvd"),

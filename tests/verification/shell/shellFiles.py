@@ -16,8 +16,8 @@ STATE = {
 }
 
 NUMBERS = {
-    "Float32": np.float32, "Int32": np.int32, "Int64": np.int64,
-    "UInt8": np.uint8,
+    "Float32": np.float32, "Float64": np.float64, "Int32": np.int32,
+    "Int64": np.int64, "UInt8": np.uint8,
 }
 
 
