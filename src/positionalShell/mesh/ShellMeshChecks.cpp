@@ -129,8 +129,8 @@ void indices
             const int wrong = sorted.front() < 0 ? sorted.front() : sorted.back();
             fail
             (
-                names.element(e) + " has node " + std::to_string(wrong) + ", but there are " + std::to_string(n)
-              + " nodes, counted from 0"
+                names.element(e) + " has node " + std::to_string(wrong) + ", but there are "
+              + std::to_string(n) + " nodes, counted from 0"
             );
         }
         const auto twice = std::adjacent_find(sorted.begin(), sorted.end());

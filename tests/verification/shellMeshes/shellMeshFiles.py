@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from foamFile import readList, readText
+from foamFile import numbers, readList, readText
 
 CONTROL = """FoamFile
 { version 2.0; format ascii; class dictionary; object controlDict; }
@@ -44,16 +44,25 @@ def readSets(path):
             for name, n, members, one in found}
 
 
+def vectors(path):
+    """A list of vectors, also as OpenFOAM's n{value}."""
+    repeated = re.search(r"(\d+)\s*\{(\([^{}]*\))\}\s*$", readText(path))
+    if repeated:
+        return np.repeat(numbers(repeated.group(2), 3),
+                         int(repeated.group(1)), axis=0)
+    return readList(path, 3)
+
+
 def readShellMesh(case, name="shell"):
     folder = case / "constant" / name
     text = readText(folder / "triangles")
     rows = re.findall(r"10\(([\d\s]*)\)", text)
     directors = folder / "directors"
     return ShellMesh(
-        readList(folder / "nodes", 3),
+        vectors(folder / "nodes"),
         np.array([[int(v) for v in row.split()] for row in rows]),
         readSets(folder / "nodeSets"), readSets(folder / "elementSets"),
-        readList(directors, 3) if directors.exists() else None)
+        vectors(directors) if directors.exists() else None)
 
 
 def basis(xi1, xi2):
