@@ -78,6 +78,37 @@ def test_parallelRunsAndWritesItsPage(tmp_path):
     assert ratio == pytest.approx(one / several, rel=0.02)
 
 
+def test_shellRunsAndWritesItsPage(tmp_path):
+    """The peer's rows only where it is installed."""
+    page = tmp_path / "page.md"
+    names = "costs", "cantilever", "hemisphere", "plate"
+    page.write_text("\n".join(
+        "\n".join(marks(f"shell {name}")) for name in names))
+    run("shell/shellBenchmark.py", "-quick", "-page", page)
+    text = page.read_text()
+    for form in ("displacement", "assumedStrain"):
+        assert f"| `{form}` | 2 elements | 8 elements |" in text
+    dense, ours = (
+        [float(v) for v in re.search(
+            rf"^\| us per element: {name} \| (\S+) \| (\S+) \|", text,
+            re.M).groups()]
+        for name in ("straightforward dense tangent", "tangent, .*?"))
+    assert dense[1] > 4 * ours[1]
+    rows = re.findall(
+        r"^\| positionalShellFoam \| (.*?) \| (\S+) \| (\S+) \|$", text, re.M)
+    assert len(rows) == 3
+    assert all(0 < float(seconds) < 30 for _, seconds, _ in rows)
+    # Strip: one element in the length of a quarter; plate: 2 x 2
+    assert 0 < float(rows[0][2]) < 0.5 and 0 < float(rows[2][2]) < 20
+    for name in names[1:]:
+        assert (tmp_path / "pictures" / f"shell-{name}.png").exists()
+
+
+def test_shellNamesItsParts():
+    said = run("shell/shellBenchmark.py", "nonsense", code=2)
+    assert all(name in said for name in ("costs", "hemisphere", "plate"))
+
+
 def test_speedErrorNamesTheProblems():
     said = run("speedError/speedError.py", "nonsense", code=2)
     assert all(name in said for name in PROBLEMS)

@@ -21,6 +21,7 @@ USES = {
     "initialStates": {"feMesh", "gasDynamics"},
     "taylorGalerkin": {"feMesh", "gasDynamics"},
     "shellModel": {"positionalShell", "feMesh", "gasDynamics"},
+    "shellMeshing": {"shellModel", "positionalShell", "feMesh", "gasDynamics"},
     "meshMotion": {"feMesh", "gasDynamics"},
     "fluidShellCoupling": {
         "taylorGalerkin", "shellModel", "feMesh", "positionalShell",

@@ -24,6 +24,7 @@ Usage
     }
 
     divisions   (16 1);
+    grading     (((0.5 0.5 4) (0.5 0.5 0.25)) 1);
 
     elementSet  panel;
 
@@ -37,20 +38,25 @@ Usage
     \table
         Property   | Description                           | Default
         mesh       | folder below constant                 | shell
-        surface    | plate (plate.H)                       | required
+        surface    | plate cylinder cone sphere (*.H here) | required
         divisions  | quadrilaterals along u and v          | required
+        grading    | along u and v, each as blockMesh's    | (1 1)
         elementSet | a name for all elements, beside "all" | none
         nodeSets   | name edge; or name (edge edge ...);   | none
     \endtable
 
     The edges are uMin uMax vMin vMax, the corners uMinVMin uMaxVMin uMinVMax
     uMaxVMax; these names are node sets of the mesh too. The shell's normal
-    (upper face) is along du x dv.
+    (upper face) is along du x dv; nodes lie on the surface, and its normals at
+    the nodes are written too. On a closed surface uMin and uMax are both the
+    seam. An edge that is a single point (the pole of a sphere, the tip of a
+    cone) has one triangle per division of u.
 */
 
 #include "argList.H"
 #include "IOdictionary.H"
 #include "Time.H"
+#include "cubicShellMesh.H"
 #include "shellBlock.H"
 #include "shellMeshIO.H"
 
@@ -82,18 +88,13 @@ int main(int argc, char *argv[])
     const word meshName(dict.lookupOrDefault<word>("mesh", "shell"));
 
     const positionalShell::ShellMesh mesh(makeShellBlock(dict));
-    writeShellMesh(runTime, meshName, mesh);
+    writeShellMesh(runTime, meshName, mesh, true);
 
     Info<< "Shell mesh " << runTime.constant()/meshName << ": "
         << label(mesh.nElements()) << " cubic triangles, "
-        << label(mesh.nNodes()) << " nodes" << nl << nl
-        << "Node sets" << nl;
-    for (const auto& set : mesh.nodeSets())
-    {
-        Info<< "    " << set.first.c_str() << "  " << label(set.second.size())
-            << nl;
-    }
-    Info<< nl << "End" << nl << endl;
+        << label(mesh.nNodes()) << " nodes" << nl << nl;
+    reportSets(mesh);
+    Info<< "End" << nl << endl;
 
     return 0;
 }

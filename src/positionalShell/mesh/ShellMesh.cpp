@@ -83,7 +83,8 @@ ShellMesh::ShellMesh
     std::vector<Triangle> triangles,
     NamedSets nodeSets,
     NamedSets elementSets,
-    std::vector<Vec3> directors
+    std::vector<Vec3> directors,
+    const MeshNames& names
 )
 :
     nodes_(std::move(nodes)),
@@ -93,9 +94,9 @@ ShellMesh::ShellMesh
     {
         throw std::invalid_argument("shell mesh: no triangles");
     }
-    meshChecks::indices(nodes_, triangles_);
-    meshChecks::shapes(nodes_, triangles_);
-    meshChecks::neighbours(triangles_);
+    meshChecks::indices(nodes_, triangles_, names);
+    meshChecks::shapes(nodes_, triangles_, names);
+    meshChecks::neighbours(triangles_, names);
 
     for (auto& [name, members] : nodeSets) addNodeSet(name, members);
     for (auto& [name, members] : elementSets) addElementSet(name, members);
@@ -111,7 +112,7 @@ ShellMesh::ShellMesh
     }
     lengthScale_ = (high - low).norm();
 
-    setDirectors(std::move(directors));
+    setDirectors(std::move(directors), names);
 }
 
 const std::vector<int>& ShellMesh::nodeSet(const std::string& name) const
@@ -203,7 +204,11 @@ int ShellMesh::nearestNode(const Vec3& point) const
     return nearest;
 }
 
-void ShellMesh::setDirectors(std::vector<Vec3> given)
+void ShellMesh::setDirectors
+(
+    std::vector<Vec3> given,
+    const MeshNames& names
+)
 {
     const bool computed = given.empty();
     if (!computed && given.size() != nodes_.size())
@@ -221,7 +226,7 @@ void ShellMesh::setDirectors(std::vector<Vec3> given)
     if (!computed)
     {
         for (Vec3& d : directors_) d.normalize();
-        meshChecks::directors(nodes_, triangles_, directors_);
+        meshChecks::directors(nodes_, triangles_, directors_, names);
         return;
     }
 
@@ -234,7 +239,7 @@ void ShellMesh::setDirectors(std::vector<Vec3> given)
         }
     }
     for (Vec3& d : directors_) d.normalize();
-    meshChecks::directors(nodes_, triangles_, directors_);
+    meshChecks::directors(nodes_, triangles_, directors_, names);
 }
 
 } // namespace positionalShell

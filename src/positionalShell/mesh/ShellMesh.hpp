@@ -15,6 +15,7 @@
 #ifndef positionalShell_ShellMesh_hpp
 #define positionalShell_ShellMesh_hpp
 
+#include "MeshNames.hpp"
 #include "ShellTypes.hpp"
 
 #include <array>
@@ -35,7 +36,7 @@ class ShellMesh
 {
 public:
 
-    //- Construct and check.
+    //- Construct and check. names: what messages call nodes and elements.
     //  Throws std::invalid_argument, naming node, element or set, for: an index
     //  out of range, a node used by no triangle, a repeated node within a
     //  triangle, a triangle of zero or folded-over area, neighbours that do not
@@ -48,7 +49,8 @@ public:
         std::vector<Triangle> triangles,
         NamedSets nodeSets = {},
         NamedSets elementSets = {},
-        std::vector<Vec3> directors = {}
+        std::vector<Vec3> directors = {},
+        const MeshNames& names = {}
     );
 
     int nNodes() const { return static_cast<int>(nodes_.size()); }
@@ -95,7 +97,7 @@ private:
     std::vector<Vec3> directors_;
     double lengthScale_ = 0;
 
-    void setDirectors(std::vector<Vec3> given);
+    void setDirectors(std::vector<Vec3> given, const MeshNames& names);
 };
 
 } // namespace positionalShell

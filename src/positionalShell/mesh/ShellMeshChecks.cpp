@@ -73,10 +73,15 @@ struct EdgeUse
     CubicEdge nodes;
 };
 
-void compare(const EdgeUse& first, const EdgeUse& second)
+void compare
+(
+    const EdgeUse& first,
+    const EdgeUse& second,
+    const MeshNames& names
+)
 {
-    const std::string both = "elements " + std::to_string(first.element)
-      + " and " + std::to_string(second.element);
+    const std::string both =
+        names.element(first.element) + " and " + names.element(second.element);
     if (first.nodes[0] == second.nodes[0])
     {
         fail(both + " are oriented against each other: turn one round");
@@ -87,8 +92,8 @@ void compare(const EdgeUse& first, const EdgeUse& second)
     {
         fail
         (
-            both + " share the corners " + std::to_string(first.nodes[0])
-          + " and " + std::to_string(first.nodes[3])
+            both + " share the corners " + names.node(first.nodes[0])
+          + " and " + names.node(first.nodes[3])
           + " but not the two nodes between them"
         );
     }
@@ -109,7 +114,8 @@ Vec3 nodalNormal
 void indices
 (
     const std::vector<Vec3>& nodes,
-    const std::vector<Triangle>& triangles
+    const std::vector<Triangle>& triangles,
+    const MeshNames& names
 )
 {
     const int n = static_cast<int>(nodes.size());
@@ -123,9 +129,8 @@ void indices
             const int wrong = sorted.front() < 0 ? sorted.front() : sorted.back();
             fail
             (
-                "element " + std::to_string(e) + " has node "
-              + std::to_string(wrong) + ", but there are " + std::to_string(n)
-              + " nodes, counted from 0"
+                names.element(e) + " has node " + std::to_string(wrong) + ", but there are "
+              + std::to_string(n) + " nodes, counted from 0"
             );
         }
         const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
@@ -133,8 +138,7 @@ void indices
         {
             fail
             (
-                "element " + std::to_string(e) + " has node "
-              + std::to_string(*twice) + " twice"
+                names.element(e) + " has " + names.node(*twice) + " twice"
             );
         }
         for (int node : triangles[e]) used[node] = true;
@@ -145,13 +149,13 @@ void indices
         {
             fail
             (
-                "node " + std::to_string(i) + at(nodes[i])
+                names.node(i) + at(nodes[i])
               + " belongs to no triangle"
             );
         }
         if (!nodes[i].allFinite())
         {
-            fail("node " + std::to_string(i) + " has no finite position");
+            fail(names.node(i) + " has no finite position");
         }
     }
 }
@@ -159,7 +163,8 @@ void indices
 void shapes
 (
     const std::vector<Vec3>& nodes,
-    const std::vector<Triangle>& triangles
+    const std::vector<Triangle>& triangles,
+    const MeshNames& names
 )
 {
     // Relative to the square of the size: below it round-off decides the side
@@ -178,7 +183,7 @@ void shapes
             nodes[t[2]] - nodes[t[0]]
         );
         const std::string name =
-            "element " + std::to_string(e) + at(nodes[t[nodesPerElement - 1]]);
+            names.element(e) + at(nodes[t[nodesPerElement - 1]]);
         if (!(flat.norm() > least*size*size))
         {
             fail(name + " has no area: its corners lie on a line");
@@ -197,7 +202,11 @@ void shapes
     }
 }
 
-void neighbours(const std::vector<Triangle>& triangles)
+void neighbours
+(
+    const std::vector<Triangle>& triangles,
+    const MeshNames& names
+)
 {
     std::map<std::pair<int, int>, std::vector<EdgeUse>> edges;
     for (std::size_t e = 0; e < triangles.size(); ++e)
@@ -215,15 +224,14 @@ void neighbours(const std::vector<Triangle>& triangles)
         {
             fail
             (
-                "more than two elements (" + std::to_string(uses[0].element)
-              + ", " + std::to_string(uses[1].element) + ", "
-              + std::to_string(uses[2].element) + ") meet at the edge of nodes "
-              + std::to_string(ends.first) + " and "
-              + std::to_string(ends.second)
+                "more than two triangles (" + names.element(uses[0].element)
+              + ", " + names.element(uses[1].element) + ", "
+              + names.element(uses[2].element) + ") meet at the edge of "
+              + names.node(ends.first) + " and " + names.node(ends.second)
               + "; branching shells are not supported"
             );
         }
-        if (uses.size() == 2) compare(uses[0], uses[1]);
+        if (uses.size() == 2) compare(uses[0], uses[1], names);
     }
 }
 
@@ -231,7 +239,8 @@ void directors
 (
     const std::vector<Vec3>& nodes,
     const std::vector<Triangle>& triangles,
-    const std::vector<Vec3>& directors
+    const std::vector<Vec3>& directors,
+    const MeshNames& names
 )
 {
     for (std::size_t e = 0; e < triangles.size(); ++e)
@@ -248,9 +257,8 @@ void directors
             {
                 fail
                 (
-                    "the director of node " + std::to_string(node)
-                  + at(nodes[node]) + " does not point to the upper side of "
-                    "element " + std::to_string(e)
+                    "the director of " + names.node(node) + at(nodes[node])
+                  + " does not point to the upper side of " + names.element(e)
                 );
             }
         }

@@ -106,7 +106,13 @@ void SystemMatrix::decouple(const std::function<bool(int)>& chosen)
 
 const SparseMatrix& SystemMatrix::lower() const
 {
-    std::copy_n(values_.data(), map_->nowhere(), matrix_.valuePtr());
+    double* lower = matrix_.valuePtr();
+    std::copy_n(values_.data(), map_->nowhere(), lower);
+    const std::vector<int>& transposed = map_->transposed();
+    for (int k = 0; k < map_->nowhere() && !general_.empty(); ++k)
+    {
+        lower[k] += 0.5*(general_[k] + general_[transposed[k]]);
+    }
     return matrix_;
 }
 

@@ -59,8 +59,8 @@ public:
     //- The whole matrix
     const SparseMatrix& matrix() const;
 
-    //- The pattern with valid values in the lower triangle of the symmetric part;
-    //  refers to the same storage as matrix()
+    //- The pattern with valid values in the lower triangle of the symmetric part
+    //  (K + K^T)/2; refers to the same storage as matrix()
     const SparseMatrix& lower() const;
 
 private:

@@ -64,6 +64,11 @@ void LinearSolver::factorise(const SystemMatrix& K)
     makeLU(K.matrix());
 }
 
+void LinearSolver::factoriseSymmetricPart(const SystemMatrix& K)
+{
+    if (!tryCholesky(K.lower())) makeLU(K.matrix());
+}
+
 void LinearSolver::factoriseSymmetric(const SparseMatrix& K)
 {
     if (!tryCholesky(K)) makeLU(K);

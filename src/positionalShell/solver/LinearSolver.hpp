@@ -51,7 +51,12 @@ public:
     //- Factorise. Throws SingularMatrix.
     void factorise(const SystemMatrix& K);
 
-    //- Same for any symmetric matrix given whole
+    //- Factorise the symmetric part (K + K^T)/2 instead, or the whole matrix when
+    //  that is not positive definite: an approximation of unsymmetric matrices
+    //  that is cheaper to make and to solve with. Throws SingularMatrix.
+    void factoriseSymmetricPart(const SystemMatrix& K);
+
+    //- Same as factorise for any symmetric matrix given whole
     void factoriseSymmetric(const SparseMatrix& K);
 
     bool factorised() const { return report_.last != Factorisation::none; }

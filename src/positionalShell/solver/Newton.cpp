@@ -103,7 +103,14 @@ void Newton::makeTangent
         problem.model().dofs(), matrix_->matrix(), problem.position()
     );
     problem.addInertia(*matrix_);
-    linear_.factorise(*matrix_);
+    if (options_.tangentUpdate == TangentUpdate::whenSlow && !symmetricPartFailed_)
+    {
+        linear_.factoriseSymmetricPart(*matrix_);
+    }
+    else
+    {
+        linear_.factorise(*matrix_);
+    }
     factorsUsable_ = true;
 }
 

@@ -33,7 +33,9 @@ enum class TangentUpdate
 {
     everyIteration,     // full Newton
     whenSlow            // keep the factors, also from step to step, while
-                        // keptIterations more iterations with them are enough
+                        // keptIterations more iterations with them are enough;
+                        // of unsymmetric tangents those of the symmetric part
+                        // while they serve
 };
 
 enum class LineSearch
@@ -91,7 +93,7 @@ public:
     NewtonReport solve(EquilibriumProblem& problem);
 
     //- Forget kept factors: after the step length or the model changed
-    void reset() { factorsUsable_ = false; }
+    void reset() { factorsUsable_ = symmetricPartFailed_ = false; }
 
     const NewtonOptions& options() const { return options_; }
     const LinearSolverReport& linearReport() const { return linear_.report(); }
@@ -105,6 +107,9 @@ private:
     LinearSolver linear_;
     std::unique_ptr<SystemMatrix> matrix_;
     bool factorsUsable_ = false;
+
+    //- Factors of the symmetric part alone did not serve in the present steps
+    bool symmetricPartFailed_ = false;
 
     //- Residual that round-off of the unknowns makes with the present tangent
     KindNorms roundOff_;

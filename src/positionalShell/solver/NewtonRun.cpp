@@ -106,6 +106,10 @@ double Newton::Run::size(const Vector& increment) const
 //  equations: their stress is left out
 void Newton::Run::makeTangent()
 {
+    // Factors of this very solution that did not serve: the part of the tangent
+    // that is left out is to blame
+    newton_.symmetricPartFailed_ = newton_.symmetricPartFailed_ || ownTangents_;
+
     const Vector& origin = problem_.origin();
     newton_.makeTangent
     (

@@ -8,6 +8,7 @@
 #include "shellVector.H"
 #include "IOdictionary.H"
 #include "labelListIOList.H"
+#include "OSspecific.H"
 #include "vectorIOField.H"
 
 using positionalShell::NamedSets;
@@ -38,6 +39,17 @@ static std::vector<Vec3> readVectors
     for (const vector& v : values)
     {
         result.push_back(toShell(v));
+    }
+    return result;
+}
+
+
+static vectorField toFoam(const std::vector<Vec3>& vectors)
+{
+    vectorField result(label(vectors.size()));
+    forAll(result, i)
+    {
+        result[i] = toFoam(vectors[i]);
     }
     return result;
 }
@@ -122,8 +134,8 @@ positionalShell::ShellMesh Foam::readShellMesh
     {
         FatalErrorInFunction
             << "No shell mesh in " << runTime.globalPath()/folder << nl
-            << "    Make one first, e.g. with blockShell, or correct the entry"
-            << " mesh of constant/shellProperties" << nl
+            << "    Make one first, with blockShell, gmshToShell or patchToShell,"
+            << " or correct the entry mesh of constant/shellProperties" << nl
             << exit(FatalError);
     }
 
@@ -157,16 +169,11 @@ void Foam::writeShellMesh
 (
     const Time& runTime,
     const word& meshName,
-    const positionalShell::ShellMesh& mesh
+    const positionalShell::ShellMesh& mesh,
+    const bool directors
 )
 {
     const fileName folder(meshFolder(runTime, meshName));
-
-    vectorField nodes(mesh.nNodes());
-    forAll(nodes, nodei)
-    {
-        nodes[nodei] = toFoam(mesh.nodes()[nodei]);
-    }
 
     labelListList triangles(mesh.nElements());
     forAll(triangles, elementi)
@@ -185,8 +192,17 @@ void Foam::writeShellMesh
         writeShellFile(runTime, folder, name, className, contents);
     };
 
-    write("nodes", vectorIOField::typeName, nodes);
+    write("nodes", vectorIOField::typeName, toFoam(mesh.nodes()));
     write("triangles", labelListIOList::typeName, triangles);
     write("nodeSets", dictionary::typeName, setsDict(mesh.nodeSets()));
     write("elementSets", dictionary::typeName, setsDict(mesh.elementSets()));
+
+    if (directors)
+    {
+        write("directors", vectorIOField::typeName, toFoam(mesh.directors()));
+    }
+    else if (Pstream::master())
+    {
+        rm(runTime.globalPath()/folder/"directors");
+    }
 }

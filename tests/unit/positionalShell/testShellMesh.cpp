@@ -133,7 +133,7 @@ TEST(ShellMesh, neighboursAreChecked)
     Square against;
     const Triangle t = against.triangles[1];
     against.triangles[1] = {t[0], t[2], t[1], t[8], t[7], t[6], t[5], t[4], t[3], t[9]};
-    EXPECT_TRUE(holds(against.error(), "elements 0 and 1 are oriented against each other"));
+    EXPECT_TRUE(holds(against.error(), "element 0 and element 1 are oriented against each other"));
 
     Square torn;
     const int shared = torn.triangles[0][5];

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 #include "shellBlock.H"
 #include "dictionaryCheck.H"
+#include "lineDivide.H"
+#include "lineEdge.H"
 #include "shellInput.H"
 #include "shellSurface.H"
 #include "shellVector.H"
@@ -43,6 +45,62 @@ static std::pair<label, label> readDivisions(const dictionary& dict)
             << flatOutput(n) << nl << exit(FatalIOError);
     }
     return {n[0], n[1]};
+}
+
+
+//- Lines between n quadrilaterals, graded as blockMesh grades an edge
+static std::vector<double> lines
+(
+    const dictionary& dict,
+    const label n,
+    const gradingDescriptors& grading
+)
+{
+    if (n < grading.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "grading has " << grading.size() << " sections for " << n
+            << " divisions; there must be as many divisions at least" << nl
+            << exit(FatalIOError);
+    }
+    const pointField ends({vector::zero, vector(1, 0, 0)});
+    const lineDivide division(blockEdges::lineEdge(ends, 0, 1), n, grading);
+
+    // The ends are what the surface is closed at: exact
+    std::vector<double> result
+    (
+        division.lambdaDivisions().begin(), division.lambdaDivisions().end()
+    );
+    result.front() = 0;
+    result.back() = 1;
+    return result;
+}
+
+
+static positionalShell::StructuredLayout readLayout
+(
+    const dictionary& dict,
+    const shellSurface& surface
+)
+{
+    gradingDescriptors gradingU;
+    gradingDescriptors gradingV;
+    if (dict.found("grading"))
+    {
+        ITstream& is = dict.lookup("grading");
+        is.readBegin("grading");
+        is >> gradingU >> gradingV;
+        is.readEnd("grading");
+    }
+    const auto n = readDivisions(dict);
+
+    positionalShell::StructuredLayout layout;
+    layout.u = lines(dict, n.first, gradingU);
+    layout.v = lines(dict, n.second, gradingV);
+    layout.closedU = surface.closedU();
+    layout.poleVMin = surface.pole(0);
+    layout.poleVMax = surface.pole(1);
+    return layout;
 }
 
 
@@ -92,11 +150,14 @@ positionalShell::ShellMesh Foam::makeShellBlock(const dictionary& dict)
 {
     checkKeywords
     (
-        dict, {"mesh", "surface", "divisions", "elementSet", "nodeSets"}
+        dict,
+        {
+            "mesh", "surface", "divisions", "grading", "elementSet", "nodeSets"
+        }
     );
 
     const auto surface = shellSurface::New(dict.subDict("surface"));
-    const auto divisions = readDivisions(dict);
+    const auto layout = readLayout(dict, surface());
 
     ShellMesh mesh
     (
@@ -104,8 +165,7 @@ positionalShell::ShellMesh Foam::makeShellBlock(const dictionary& dict)
         {
             return positionalShell::structuredMesh
             (
-                divisions.first,
-                divisions.second,
+                layout,
                 [&](double u, double v)
                 {
                     return toShell(surface->position(u, v));
