@@ -24,6 +24,38 @@ const Foam::shellModel& Foam::functionObjects::shellEnergyTable::shell() const
 }
 
 
+void Foam::functionObjects::shellEnergyTable::writeFileHeader
+(
+    OFstream& os,
+    const string& title,
+    const wordList& columns
+) const
+{
+    writeHeader(os, title);
+    writeCommented(os, "Time");
+    for (const word& column : columns)
+    {
+        writeTabbed(os, column);
+    }
+    os  << endl;
+}
+
+
+void Foam::functionObjects::shellEnergyTable::writeRow
+(
+    OFstream& os,
+    const std::initializer_list<scalar>& values
+) const
+{
+    os  << setw(charWidth()) << time_.value();
+    for (const scalar value : values)
+    {
+        os  << tab << setw(charWidth()) << value;
+    }
+    os  << endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::shellEnergyTable::shellEnergyTable
@@ -55,24 +87,27 @@ bool Foam::functionObjects::shellEnergyTable::read(const dictionary& dict)
     writePrecision_ = dict.lookupOrDefault<label>("writePrecision", 10);
     shell();
 
-    resetNames(wordList(1, "energies"));
+    resetNames({"energies", "momenta"});
     if (Pstream::master())
     {
-        OFstream& os = files(0);
-        writeHeader(os, "Energies of the shell [J]");
-        writeCommented(os, "Time");
-        for
+        writeFileHeader
         (
-            const char* column :
+            files(0),
+            "Energies of the shell [J]",
             {
                 "kinetic", "strain", "externalWork", "supportWork",
                 "dissipated", "mismatch"
             }
-        )
-        {
-            writeTabbed(os, column);
-        }
-        os  << endl;
+        );
+        writeFileHeader
+        (
+            files(1),
+            "Momenta of the shell [kg m/s], [kg m2/s]",
+            {
+                "linear_x", "linear_y", "linear_z",
+                "angular_x", "angular_y", "angular_z"
+            }
+        );
     }
     return true;
 }
@@ -86,19 +121,22 @@ bool Foam::functionObjects::shellEnergyTable::write()
     }
 
     const shellEnergies e(shell().energies());
-    OFstream& os = files(0);
-    os  << setw(charWidth()) << time_.value();
-    for
+    writeRow
     (
-        const scalar value :
+        files(0),
         {
             e.kinetic, e.strain, e.externalWork, e.supportWork, e.dissipated,
             e.mismatch()
         }
-    )
-    {
-        os  << tab << setw(charWidth()) << value;
-    }
-    os  << endl;
+    );
+
+    const positionalShell::ShellModel& model = shell().model();
+    const positionalShell::ShellState& state = shell().state();
+    const positionalShell::Vec3 P(model.linearMomentum(state.velocity));
+    const positionalShell::Vec3 L
+    (
+        model.angularMomentum(state.position, state.velocity)
+    );
+    writeRow(files(1), {P[0], P[1], P[2], L[0], L[1], L[2]});
     return true;
 }

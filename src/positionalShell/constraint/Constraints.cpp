@@ -173,8 +173,71 @@ Constraints& Constraints::planeStrainStrip(Axis direction)
     return *this;
 }
 
+Constraints& Constraints::rigidTie
+(
+    const std::string& nodeSet,
+    const Vec3& point
+)
+{
+    ties_.emplace_back(mesh_, nodeSet, point);
+    return *this;
+}
+
+Constraints& Constraints::rigidMotion
+(
+    const std::string& nodeSet,
+    const RigidMotion& motion
+)
+{
+    for (int node : mesh_.nodeSet(nodeSet))
+    {
+        const Vec3 arm = mesh_.nodes()[node] - motion.point;
+        for (int c = 0; c < 3; ++c)
+        {
+            set
+            (
+                node, static_cast<Component>(c), motion.ofPosition(arm, c)
+            );
+            set
+            (
+                node, static_cast<Component>(3 + c),
+                motion.ofDirector(mesh_.directors()[node], c)
+            );
+        }
+    }
+    return *this;
+}
+
+//- The unknowns of a tie are its own
+void Constraints::checkTies() const
+{
+    std::vector<int> members(motion_.size(), 0);
+    for (std::size_t i = 0; i < motion_.size(); ++i) ++members[root(int(i))];
+    std::vector<bool> taken(motion_.size(), false);
+    for (const RigidTie& tie : ties_)
+    {
+        for (int node : tie.nodes())
+        {
+            for (int i = dofsPerNode*node; i < dofsPerNode*node + 6; ++i)
+            {
+                if (motion_[i].isSet || members[root(i)] > 1 || taken[i])
+                {
+                    throw std::invalid_argument
+                    (
+                        "rigid tie of node set " + tie.nodeSet() + ": node "
+                      + std::to_string(node) + " is in another constraint as "
+                        "well; leave it in one of them only"
+                    );
+                }
+                taken[i] = true;
+            }
+        }
+    }
+}
+
 DofMap Constraints::dofMap() const
 {
+    checkTies();
     const int nFull = static_cast<int>(motion_.size());
     const Vector initial = mesh_.initialPositions();
 
@@ -206,7 +269,10 @@ DofMap Constraints::dofMap() const
         if (equationOfRoot[r] < 0) equationOfRoot[r] = nEquations++;
         equation[i] = equationOfRoot[r];
     }
-    return DofMap(std::move(equation), nEquations, std::move(prescribed));
+    return DofMap
+    (
+        std::move(equation), nEquations, std::move(prescribed), ties_
+    );
 }
 
 int Constraints::root(int unknown) const

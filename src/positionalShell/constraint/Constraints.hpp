@@ -16,6 +16,7 @@
 #define positionalShell_Constraints_hpp
 
 #include "DofMap.hpp"
+#include "RigidMotion.hpp"
 #include "ShellMesh.hpp"
 
 #include <string>
@@ -64,6 +65,14 @@ public:
     //  in that sense, i.e. when the mesh is not made of lines along the direction.
     Constraints& planeStrainStrip(Axis direction);
 
+    //- The set moves as one rigid body, free as a whole, (C1). Its nodes may be
+    //  in no other condition but those on a. point (initial state): where a
+    //  TieLoad acts.
+    Constraints& rigidTie(const std::string& nodeSet, const Vec3& point);
+
+    //- The set moves as one rigid body with the point, as given, (C9)
+    Constraints& rigidMotion(const std::string& nodeSet, const RigidMotion& motion);
+
     DofMap dofMap() const;
 
 private:
@@ -77,10 +86,12 @@ private:
     const ShellMesh& mesh_;
     std::vector<Motion> motion_;
     mutable std::vector<int> parent_;   // union-find forest of shared unknowns
+    std::vector<RigidTie> ties_;
 
     int root(int unknown) const;
     void share(int unknown1, int unknown2);
     void set(int node, Component c, const TimeFunctionPtr& displacement);
+    void checkTies() const;
     [[noreturn]] void conflict(int unknown) const;
 };
 

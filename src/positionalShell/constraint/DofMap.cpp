@@ -9,13 +9,15 @@ DofMap::DofMap
 (
     std::vector<int> equation,
     int nEquations,
-    std::vector<Prescribed> prescribed
+    std::vector<Prescribed> prescribed,
+    std::vector<RigidTie> ties
 )
 :
     equation_(std::move(equation)),
     nEquations_(nEquations),
     first_(nEquations, -1),
-    prescribed_(std::move(prescribed))
+    prescribed_(std::move(prescribed)),
+    ties_(std::move(ties))
 {
     for (int i = nFull() - 1; i >= 0; --i)
     {

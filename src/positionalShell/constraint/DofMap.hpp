@@ -7,7 +7,7 @@
 #ifndef positionalShell_DofMap_hpp
 #define positionalShell_DofMap_hpp
 
-#include "ShellTypes.hpp"
+#include "RigidTie.hpp"
 #include "TimeFunction.hpp"
 
 #include <vector>
@@ -31,7 +31,8 @@ public:
     (
         std::vector<int> equation,
         int nEquations,
-        std::vector<Prescribed> prescribed
+        std::vector<Prescribed> prescribed,
+        std::vector<RigidTie> ties = {}
     );
 
     //- Size of full vectors, 7 x number of nodes
@@ -47,6 +48,10 @@ public:
     int firstUnknown(int equation) const { return first_[equation]; }
 
     const std::vector<Prescribed>& prescribed() const { return prescribed_; }
+
+    //- Rigid ties. Their nodes have equations of their own here, free ones;
+    //  TieElimination reduces them to six
+    const std::vector<RigidTie>& ties() const { return ties_; }
 
     //- Full force vector to equations (sums over shared unknowns)
     Vector reduce(const Vector& full) const;
@@ -71,6 +76,7 @@ private:
     int nEquations_;
     std::vector<int> first_;
     std::vector<Prescribed> prescribed_;
+    std::vector<RigidTie> ties_;
 };
 
 } // namespace positionalShell

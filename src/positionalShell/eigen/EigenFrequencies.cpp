@@ -2,6 +2,7 @@
 
 #include "EigenFrequencies.hpp"
 #include "LinearSolver.hpp"
+#include "TieElimination.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -75,8 +76,15 @@ EigenModes lowestModes
         );
     }
 
-    const SparseMatrix K = model.tangent(q);
-    const SparseMatrix M = model.massMatrix();
+    const TieElimination ties(model.dofs());
+    SparseMatrix K = model.tangent(q);
+    SparseMatrix M = model.massMatrix();
+    if (!ties.none())
+    {
+        // Forces in the state turn with the tie; loads at its point are not known
+        K = ties.reduced(q, K, -model.internalForce(q), {});
+        M = ties.reduced(q, M, Vector::Zero(q.size()), {}) - ties.units();
+    }
     LinearSolver shifted;
     shifted.factoriseSymmetric(K - options.shift*M);
 
@@ -112,6 +120,12 @@ EigenModes lowestModes
     // A free body has zero, by round-off perhaps just negative, eigenvalues
     modes.frequency =
         modes.eigenvalue.cwiseMax(0).cwiseSqrt()/(2*std::acos(-1.0));
+    for (int j = 0; j < n; ++j)
+    {
+        Vector mode = X.col(j);
+        ties.expand(q, mode);
+        X.col(j) = mode;
+    }
     modes.mode = expand(model.dofs(), X.leftCols(n));
     return modes;
 }

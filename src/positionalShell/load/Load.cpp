@@ -18,4 +18,26 @@ Vector totalForce
     return force;
 }
 
+std::vector<TieForce> totalTieForces
+(
+    const Loads& loads,
+    const ShellModel& model,
+    const Vector& q,
+    double time,
+    double factor
+)
+{
+    std::vector<TieForce> forces;
+    for (const LoadPtr& load : loads)
+    {
+        load->addTieForces(model, q, time, forces);
+    }
+    for (TieForce& f : forces)
+    {
+        f.force *= factor;
+        f.moment *= factor;
+    }
+    return forces;
+}
+
 } // namespace positionalShell

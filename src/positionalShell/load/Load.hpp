@@ -44,6 +44,17 @@ public:
         SystemMatrix& /*K*/
     ) const
     {}
+
+    //- What of F is spread over rigid ties to stand for forces at them: its tangent
+    //  is that of those forces, (C7)
+    virtual void addTieForces
+    (
+        const ShellModel& /*model*/,
+        const Vector& /*q*/,
+        double /*time*/,
+        std::vector<TieForce>& /*forces*/
+    ) const
+    {}
 };
 
 using LoadPtr = std::shared_ptr<const Load>;
@@ -56,6 +67,16 @@ Vector totalForce
     const ShellModel& model,
     const Vector& q,
     double time
+);
+
+//- Forces at rigid ties of all loads, times a factor
+std::vector<TieForce> totalTieForces
+(
+    const Loads& loads,
+    const ShellModel& model,
+    const Vector& q,
+    double time,
+    double factor = 1
 );
 
 } // namespace positionalShell

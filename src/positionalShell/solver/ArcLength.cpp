@@ -82,6 +82,11 @@ ArcLength::ArcLength(const ShellModel& model, ArcLengthOptions options)
           + " has a prescribed motion; the path follows loads only"
         );
     }
+    require
+    (
+        model.dofs().ties().empty(),
+        "the model has a rigid tie, which is for load steps and dynamics"
+    );
     require(options.maxCuts >= 0, "maxCuts is negative");
     require(options.desiredIterations > 0, "desiredIterations is not positive");
     require(options.maxGrowth >= 1, "maxGrowth is less than 1");

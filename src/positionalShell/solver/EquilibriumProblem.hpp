@@ -36,6 +36,12 @@ public:
     //- K += the contribution of inertia and damping
     virtual void addInertia(SystemMatrix&) {}
 
+    //- Positions that rigid ties are taken at in the balance
+    virtual const Vector& tieArms() const { return position(); }
+
+    //- Forces at rigid ties that the residual holds, spread over their nodes
+    virtual std::vector<TieForce> tieForces() const { return {}; }
+
     //- Full vector that increments are added to: positions, or their change
     virtual Vector& unknowns() = 0;
 

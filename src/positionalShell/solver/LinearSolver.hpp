@@ -59,6 +59,9 @@ public:
     //- Same as factorise for any symmetric matrix given whole
     void factoriseSymmetric(const SparseMatrix& K);
 
+    //- Same for any matrix
+    void factoriseGeneral(const SparseMatrix& K) { makeLU(K); }
+
     bool factorised() const { return report_.last != Factorisation::none; }
 
     //- Solve with the last factors

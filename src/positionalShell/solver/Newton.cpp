@@ -2,6 +2,7 @@
 
 #include "Newton.hpp"
 #include "NewtonRun.hpp"
+#include "TieElimination.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -91,7 +92,8 @@ std::string NewtonReport::describe() const
 void Newton::makeTangent
 (
     EquilibriumProblem& problem,
-    const StressPrediction& stress
+    const StressPrediction& stress,
+    const Vector& residual
 )
 {
     if (!matrix_) matrix_.reset(new SystemMatrix(problem.model().makeMatrix()));
@@ -103,13 +105,24 @@ void Newton::makeTangent
         problem.model().dofs(), matrix_->matrix(), problem.position()
     );
     problem.addInertia(*matrix_);
-    if (options_.tangentUpdate == TangentUpdate::whenSlow && !symmetricPartFailed_)
+    const TieElimination ties(problem.model().dofs());
+    if (ties.none())
     {
-        linear_.factoriseSymmetricPart(*matrix_);
+        const bool part =
+            options_.tangentUpdate == TangentUpdate::whenSlow && !symmetricPartFailed_;
+        part ? linear_.factoriseSymmetricPart(*matrix_) : linear_.factorise(*matrix_);
     }
     else
     {
-        linear_.factorise(*matrix_);
+        const std::vector<TieForce> points = problem.tieForces();
+        const SparseMatrix K = ties.reduced
+        (
+            problem.tieArms(), matrix_->matrix(),
+            residual, points
+        );
+        const bool symmetric =
+            matrix_->symmetric() && TieElimination::symmetric(points);
+        symmetric ? linear_.factoriseSymmetric(K) : linear_.factoriseGeneral(K);
     }
     factorsUsable_ = true;
 }

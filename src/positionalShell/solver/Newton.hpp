@@ -114,7 +114,11 @@ private:
     //- Residual that round-off of the unknowns makes with the present tangent
     KindNorms roundOff_;
 
-    void makeTangent(EquilibriumProblem&, const StressPrediction&);
+    //- residual: full, of the present guess
+    void makeTangent
+    (
+        EquilibriumProblem&, const StressPrediction&, const Vector& residual
+    );
 };
 
 } // namespace positionalShell

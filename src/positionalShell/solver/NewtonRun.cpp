@@ -29,6 +29,7 @@ Newton::Run::Run(Newton& newton, EquilibriumProblem& problem, bool lineSearch)
     problem_(problem),
     lineSearch_(lineSearch),
     dofs_(problem.model().dofs()),
+    ties_(dofs_),
     scales_(problem.model())
 {}
 
@@ -38,6 +39,7 @@ void Newton::Run::evaluate()
     problem_.residual(full_, scale);
     scale = scales_.completed(scale);
     dofs_.reduce(full_, residual_);
+    ties_.project(problem_.tieArms(), residual_);
     report_.forceScale = scale;
     report_.roundOff = ratio(newton_.roundOff_, scale);
 }
@@ -115,8 +117,9 @@ void Newton::Run::makeTangent()
     (
         problem_,
         ownTangents_
-      ? StressPrediction{before_, problem_.position()}
-      : StressPrediction{origin, origin}
+      ? StressPrediction{before_, ties_.none() ? problem_.position() : linear_}
+      : StressPrediction{origin, origin},
+        full_
     );
     ownTangents_ = true;
 }
@@ -147,7 +150,17 @@ void Newton::Run::moveTo(double fraction)
 {
     Vector& unknowns = problem_.unknowns();
     unknowns = base_;
-    dofs_.addExpanded(fraction*increment_, unknowns);
+    const Vector part = fraction*increment_;
+    dofs_.addExpanded(part, unknowns);
+    if (!ties_.none())
+    {
+        // Ties turn by a finite rotation, of which the linear step knows nothing
+        Vector tangent = part;
+        ties_.expand(before_, tangent);
+        linear_ = before_;
+        dofs_.addExpanded(tangent, linear_);
+        ties_.move(before_, part, base_, unknowns);
+    }
     problem_.update();
     evaluate();
 }

@@ -8,6 +8,7 @@
 
 #include "Newton.hpp"
 #include "ShellScales.hpp"
+#include "TieElimination.hpp"
 
 namespace positionalShell
 {
@@ -26,6 +27,7 @@ private:
     EquilibriumProblem& problem_;
     const bool lineSearch_;
     const DofMap& dofs_;
+    const TieElimination ties_;
     const ShellScales scales_;
 
     NewtonReport report_;
@@ -34,6 +36,9 @@ private:
 
     //- Positions that the last increment started from
     Vector before_;
+
+    //- What they became by the linear step; only with rigid ties
+    Vector linear_;
 
     //- Whether the present factors were made in this solution
     bool ownTangents_ = false;

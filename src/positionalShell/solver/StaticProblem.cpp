@@ -53,6 +53,11 @@ void StaticProblem::addStiffness
     }
 }
 
+std::vector<TieForce> StaticProblem::tieForces() const
+{
+    return totalTieForces(loads_, model_, q_, time_);
+}
+
 Vector StaticProblem::loadRate(double distance) const
 {
     const Vector after = totalForce(loads_, model_, q_, time_ + distance);

@@ -32,6 +32,7 @@ public:
     const Vector& origin() const override { return start_; }
     void residual(Vector& full, KindNorms& scale) override;
     void addStiffness(const StressPrediction&, SystemMatrix& K) override;
+    std::vector<TieForce> tieForces() const override;
     Vector& unknowns() override { return q_; }
 
     double time() const { return time_; }

@@ -41,6 +41,7 @@ AlphaProblem::AlphaProblem
             startForce_[i] *= thickness ? 0 : p_.alphaF;
         }
     }
+    moveStartOfTies();
     update();
 }
 
@@ -80,6 +81,44 @@ void AlphaProblem::residual(Vector& full, KindNorms& scale)
     );
     full = (1 - p_.alphaF)*(external_ - internal) - inertia;
     if (startForce_.size() > 0) full += startForce_;
+    for (const TieForce& f : tieStart_)
+    {
+        model_.dofs().ties()[f.tie].spread
+        (
+            end_.position, {f.force, f.moment}, full
+        );
+    }
+}
+
+//- Forces of the start on rigid ties balance about its own arms: their resultants
+//  there act at the end, instead of themselves
+void AlphaProblem::moveStartOfTies()
+{
+    const std::vector<RigidTie>& ties = model_.dofs().ties();
+    if (ties.empty() || startForce_.size() == 0) return;
+    const Vector inertia =
+        model_.massTimes(p_.alphaM*start_.acceleration);
+    const Vector whole = startForce_ - inertia;
+    for (std::size_t t = 0; t < ties.size(); ++t)
+    {
+        const RigidTie::Six sum = ties[t].resultant(start_.position, whole);
+        tieStart_.push_back({int(t), sum.linear, Vec3::Zero(), sum.angular});
+        for (int node : ties[t].nodes())
+        {
+            const int first = dofsPerNode*node;
+            startForce_.segment<6>(first) = inertia.segment<6>(first);
+        }
+    }
+}
+
+std::vector<TieForce> AlphaProblem::tieForces() const
+{
+    std::vector<TieForce> forces = totalTieForces
+    (
+        loads_, model_, end_.position, end_.time, 1 - p_.alphaF
+    );
+    forces.insert(forces.end(), tieStart_.begin(), tieStart_.end());
+    return forces;
 }
 
 void AlphaProblem::addStiffness

@@ -33,6 +33,7 @@ public:
     void residual(Vector& full, KindNorms& scale) override;
     void addStiffness(const StressPrediction&, SystemMatrix& K) override;
     void addInertia(SystemMatrix& K) override;
+    std::vector<TieForce> tieForces() const override;
     Vector& unknowns() override { return increment_; }
     void update() override;
 
@@ -55,6 +56,11 @@ private:
 
     //- alphaF times the forces at the start, of the equations with inertia
     Vector startForce_;
+
+    //- Resultants of the start on rigid ties, which are not of its positions, (C10)
+    std::vector<TieForce> tieStart_;
+
+    void moveStartOfTies();
 
     Vector totalAt(const ShellState& state, const Vector* given) const;
 };

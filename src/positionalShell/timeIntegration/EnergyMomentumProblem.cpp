@@ -81,6 +81,11 @@ void EnergyMomentumProblem::addInertia(SystemMatrix& K)
     model_.addMass((2/dt_ + damping_)/dt_, K);
 }
 
+std::vector<TieForce> EnergyMomentumProblem::tieForces() const
+{
+    return totalTieForces(loads_, model_, middle_, middleTime());
+}
+
 Vector EnergyMomentumProblem::forceAtEnd() const
 {
     Vector force = totalForce(loads_, model_, end_.position, end_.time);

@@ -31,6 +31,8 @@ public:
     void residual(Vector& full, KindNorms& scale) override;
     void addStiffness(const StressPrediction&, SystemMatrix& K) override;
     void addInertia(SystemMatrix& K) override;
+    const Vector& tieArms() const override { return middle_; }
+    std::vector<TieForce> tieForces() const override;
     Vector& unknowns() override { return increment_; }
     void update() override;
 

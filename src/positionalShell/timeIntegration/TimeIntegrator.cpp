@@ -2,6 +2,7 @@
 
 #include "TimeIntegrator.hpp"
 #include "ThicknessProblem.hpp"
+#include "TieElimination.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -43,6 +44,20 @@ Vector predictedIncrement
     for (const auto& p : dofs.prescribed())
     {
         increment[p.index] = driven[p.index] - start.position[p.index];
+    }
+    for (const RigidTie& tie : dofs.ties())
+    {
+        Vector moved = start.position;
+        tie.move
+        (
+            start.position, tie.rigidPart(start.position, increment), moved
+        );
+        for (int node : tie.nodes())
+        {
+            const int first = dofsPerNode*node;
+            increment.segment<6>(first) =
+                (moved - start.position).segment<6>(first);
+        }
     }
     return increment;
 }
@@ -170,6 +185,15 @@ void TimeIntegrator::setAccelerations
     {
         driven[p.index] = state.acceleration[p.index];
     }
+    for (const RigidTie& tie : dofs.ties())
+    {
+        tie.addCentripetal
+        (
+            state.velocity,
+            tie.rigidPart(state.position, state.velocity).angular,
+            driven
+        );
+    }
     model_.addMassTimes(-1, driven, force);
 
     Vector reduced = dofs.reduce(force);
@@ -181,10 +205,27 @@ void TimeIntegrator::setAccelerations
         mass.setDiagonal(e, 1);
         reduced[e] = 0;
     }
+    const TieElimination ties(dofs);
+    ties.project(state.position, reduced);
     LinearSolver solver;
-    solver.factorise(mass);
+    if (ties.none())
+    {
+        solver.factorise(mass);
+    }
+    else
+    {
+        solver.factoriseSymmetric
+        (
+            ties.reduced
+            (
+                state.position, mass.matrix(), Vector::Zero(dofs.nFull()), {}
+            )
+        );
+    }
+    Vector own = solver.solve(reduced);
+    ties.expand(state.position, own);
     state.acceleration = driven;
-    dofs.addExpanded(solver.solve(reduced), state.acceleration);
+    dofs.addExpanded(own, state.acceleration);
 }
 
 } // namespace positionalShell

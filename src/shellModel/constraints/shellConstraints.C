@@ -6,6 +6,7 @@
 #include "dictionaryCheck.H"
 #include "shellInput.H"
 #include "shellTimeFunction.H"
+#include "shellVector.H"
 
 #include <functional>
 #include <map>
@@ -47,6 +48,30 @@ static std::vector<Component> components(const dictionary& dict)
 }
 
 
+//- The parts that are given: a displacement with its direction, an angle with
+//  its axis
+static positionalShell::RigidMotion rigidMotion
+(
+    const dictionary& dict,
+    const bool dynamic
+)
+{
+    positionalShell::RigidMotion motion;
+    motion.point = toShell(dict.get<vector>("point"));
+    if (dict.found("displacement") || dict.found("direction"))
+    {
+        motion.direction = toShell(dict.get<vector>("direction"));
+        motion.displacement = readMotion("displacement", dict, dynamic);
+    }
+    if (dict.found("angle") || dict.found("axis"))
+    {
+        motion.axis = toShell(dict.get<vector>("axis"));
+        motion.angle = readMotion("angle", dict, dynamic);
+    }
+    return motion;
+}
+
+
 static const std::map<word, constraintType>& constraintTypes()
 {
     static const std::map<word, constraintType> types
@@ -85,6 +110,18 @@ static const std::map<word, constraintType>& constraintTypes()
             [](Constraints& c, const dictionary& dict, bool)
             {
                 c.tied(setName(dict), component(dict));
+            }}},
+        {"rigidTie", {{"nodeSet", "point"},
+            [](Constraints& c, const dictionary& dict, bool)
+            {
+                c.rigidTie(setName(dict), toShell(dict.get<vector>("point")));
+            }}},
+        {"rigidMotion",
+            {{"nodeSet", "point", "direction", "displacement", "axis",
+              "angle"},
+            [](Constraints& c, const dictionary& dict, bool dynamic)
+            {
+                c.rigidMotion(setName(dict), rigidMotion(dict, dynamic));
             }}},
         {"planeStrainStrip", {{"direction"},
             [](Constraints& c, const dictionary& dict, bool)
@@ -145,7 +182,9 @@ std::vector<std::pair<Foam::word, Foam::word>> Foam::supportSets
     for (const entry& e : constraints)
     {
         const dictionary& dict = constraints.subDict(e.keyword());
-        if (dict.found("nodeSet") && dict.get<word>("type") != "tied")
+        const word type(dict.get<word>("type"));
+        const bool free = type == "tied" || type == "rigidTie";
+        if (dict.found("nodeSet") && !free)
         {
             result.push_back({e.keyword(), dict.get<word>("nodeSet")});
         }

@@ -14,6 +14,7 @@
 #include "FollowerPressure.hpp"
 #include "NodalLoad.hpp"
 #include "SurfaceTraction.hpp"
+#include "TieLoad.hpp"
 
 #include <functional>
 #include <map>
@@ -166,6 +167,18 @@ static const std::map<word, loadType>& loadTypes()
                     blastWave(dict),
                     factor,
                     face(dict)
+                );
+            }}},
+        {"rigidTie", {{"nodeSet", "force", "moment"},
+            [](const Model& model, Dict dict, Factor factor) -> LoadPtr
+            {
+                return std::make_shared<TieLoad>
+                (
+                    model,
+                    nodeSet(dict),
+                    vec3OrZero(dict, "force"),
+                    vec3OrZero(dict, "moment"),
+                    factor
                 );
             }}},
         {"gravity", {{"g"},

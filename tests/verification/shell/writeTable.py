@@ -20,7 +20,9 @@ PROJECT = HERE.parents[2]
 PAGE = PROJECT / "doc" / "verification.md"
 BEGIN = "<!-- shellBenchmarks: written by writeTable.py -->"
 END = "<!-- shellBenchmarks: end -->"
-FILES = ["test_shellLinear.py", "test_shellNonlinear.py"]
+FILES = [
+    "test_shellLinear.py", "test_shellNonlinear.py", "test_shellMotion.py",
+]
 COLUMNS = ["case", "mesh", "quantity", "ours", "reference", "source", "bound"]
 
 
