@@ -134,8 +134,9 @@ positionalShell::ShellMesh Foam::readShellMesh
     {
         FatalErrorInFunction
             << "No shell mesh in " << runTime.globalPath()/folder << nl
-            << "    Make one first, with blockShell, gmshToShell or patchToShell,"
-            << " or correct the entry mesh of constant/shellProperties" << nl
+            << "    Make one first, with blockShell, gmshToShell or"
+            << " patchToShell, or correct the entry mesh of"
+            << " constant/shellProperties" << nl
             << exit(FatalError);
     }
 

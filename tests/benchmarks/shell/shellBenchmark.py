@@ -1,7 +1,7 @@
 r"""Cost of the shell library, and time against error beside CalculiX.
 
     tests/benchmarks/shell/run [<part> ...] [-quick] [-repeat <n>]
-        [-page <file>] [-noPage]
+        [-upTo <elements>] [-page <file>] [-noPage]
 
 Parts: costs (times of the library's work for 72 to 5,000 elements), and the
 problems that CalculiX's ccx solves too: cantilever, hemisphere, plate. Default
@@ -10,6 +10,8 @@ all. The tables and pictures go into the page, by default doc/performance.md.
     -quick        tiny meshes, only to see that everything works; no page unless
                   it is named
     -repeat <n>   median of n runs, default 3
+    -upTo <elements>   no costs of more elements (5,000 take minutes), default
+                  5000
     -page <file>  another page
     -noPage       print only
 
@@ -46,6 +48,7 @@ def parsed(words):
     parser = Parser(__doc__)
     known = ["costs", *PROBLEMS]
     parser.add_argument("parts", nargs="*", metavar="part")
+    parser.add_argument("-upTo", type=int, default=5000)
     options = parser.parse(words, repeat=3)
     for part in options.parts:
         if part not in known:
@@ -120,7 +123,8 @@ def rowOf(found, key, factor, perElement):
 
 def costs(options):
     path = program()
-    sides = (1, 2) if options.quick else SIDES
+    sides = (1, 2) if options.quick else [
+        n for n in SIDES if 2 * n * n <= options.upTo]
     parts = []
     for form in FORMS:
         found = [costsOf(path, n, form, options) for n in sides]
