@@ -156,15 +156,15 @@ struct FollowedBeam
     }
 };
 
-TEST(Newton, keptFactorsOfAFollowerAreThoseOfTheSymmetricPart)
+TEST(Newton, keptFactorsOfAFollowerAreFirstThoseOfTheSymmetricPart)
 {
-    const FollowedBeam exact(TangentUpdate::everyIteration, 0.02, 4);
-    const FollowedBeam kept(TangentUpdate::whenSlow, 0.02, 4);
+    const FollowedBeam exact(TangentUpdate::everyIteration, 5e-4, 2);
+    const FollowedBeam kept(TangentUpdate::whenSlow, 5e-4, 2);
     EXPECT_LT((exact.tip - kept.tip).norm(), 1e-6);
-    EXPECT_GT(kept.tip.norm(), 0.1);
+    EXPECT_GT(kept.tip.norm(), 5e-3);
     EXPECT_EQ(exact.linear.nCholesky, 0);
     EXPECT_GT(kept.linear.nCholesky, 0);
-    EXPECT_EQ(kept.linear.nLU, 0);
+    EXPECT_LT(kept.linear.nLU, exact.linear.nLU);
 }
 
 TEST(Newton, theWholeTangentOfAFollowerIsTakenWhereItsPartDoesNotServe)
