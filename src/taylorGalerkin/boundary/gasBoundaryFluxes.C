@@ -326,7 +326,7 @@ void Foam::gasBoundary<dim>::halfStepFluxes
     {
         for (label a = 0; a < state.nNodes(); ++a)
         {
-            addWeight(state, rate[a], 0.5*dt*dt*meanVolume(a), sum[a]);
+            state.addWeight(rate[a], 0.5*dt*dt*meanVolume(a), sum[a]);
         }
     }
 }
@@ -463,26 +463,13 @@ void Foam::gasBoundary<dim>::addSources
 {
     const double* hoop = geometry_.hoop();
     const sharedItems& exchange = geometry_.mesh().exchange();
-    for
-    (
-        label a = 0;
-        (hoop || state.hasGravity) && a < state.nNodes();
-        ++a
-    )
+    for (label a = 0; hoop && a < state.nNodes(); ++a)
     {
-        if (!exchange.owned(a))
-        {
-            continue;
-        }
-        if (hoop)
+        if (exchange.owned(a))
         {
             const double force = dt*hoop[a]*(state.p(a) - state.pRef);
             sum[a][1 + geometry_.radial()] += force;
             sum[a][gasKernel::place<dim>::force + geometry_.radial()] += force;
-        }
-        if (state.hasGravity)
-        {
-            addWeight(state, state.rows[a], dt*meanVolume(a), sum[a]);
         }
     }
 }

@@ -368,6 +368,43 @@ gasKernel::edges Foam::gasGeometry<dim>::edges() const
 
 
 template<int dim>
+std::vector<typename Foam::gasGeometry<dim>::Vec>
+Foam::gasGeometry<dim>::edgeVectors() const
+{
+    pointField middle(mesh_.nodes());
+    if (moving_)
+    {
+        middle = 0.5*(middle + newNodes_);
+    }
+    const tmp<pointField> corners(mesh_.cornerPositions(middle));
+
+    // By the simplices' corners: across cyclic patches an edge joins a node to
+    // the image of another
+    std::vector<Vec> along(mesh_.nEdges(), Vec::Zero());
+    const label* corner = mesh_.simplexCorners().cdata();
+    const label* node = mesh_.simplices().cdata();
+    const label* edge = mesh_.simplexEdges().cdata();
+    for (label s = 0; s < mesh_.nSimplices(); ++s)
+    {
+        for (int a = 0; a < dim; ++a)
+        {
+            for (int b = a + 1; b <= dim; ++b, ++edge)
+            {
+                const Vec x = mesh_.components<dim>
+                (
+                    corners()[corner[b]] - corners()[corner[a]]
+                );
+                along[*edge] = node[a] < node[b] ? x : Vec(-x);
+            }
+        }
+        corner += dim + 1;
+        node += dim + 1;
+    }
+    return along;
+}
+
+
+template<int dim>
 Foam::facetIntegrals<dim>
 Foam::gasGeometry<dim>::presentFacet(const fePatch& patch, const label i) const
 {

@@ -195,6 +195,11 @@ void Foam::gasSolver<dim>::readGravity()
     }
     state_.hasGravity = true;
     state_.gravity = components;
+    const auto& b = boundary_;
+    rates_.gravity.reset
+    (
+        new gravityTerms<dim>(components, b.open(), b.farField())
+    );
     Info<< "Gravity: " << g.value() << " m/s2" << nl << endl;
 }
 

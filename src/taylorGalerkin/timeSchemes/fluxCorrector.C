@@ -49,6 +49,10 @@ void Foam::fluxCorrector<dim>::step
             data(rates.difference), flux_.data(), data(sum_)
         );
     }
+    if (rates.gravity.valid())
+    {
+        rates.gravity->balanceAntidiffusion(geometry, state, dt, flux_, sum_);
+    }
     exchange.sum(data(sum_), rowSize, n);
     boundary.addExcess
     (

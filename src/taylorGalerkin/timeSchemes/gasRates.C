@@ -93,6 +93,12 @@ void Foam::gasRates<dim>::compute
     {
         viscous->addPresent(rate);
     }
+    if (gravity.valid())
+    {
+        gravity->update(geometry);
+        gravity->addWeight(geometry, state, 1, rate);
+        gravity->balance(geometry, state, difference);
+    }
     const sharedItems& exchange = geometry.mesh().exchange();
     exchange.sum(data(rate), rowSize, n + dim);
     exchange.sum(data(difference), rowSize, n + 1);

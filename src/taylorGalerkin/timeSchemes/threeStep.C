@@ -230,6 +230,10 @@ void Foam::threeStep<dim>::step
     std::fill(residual_.begin(), residual_.end(), uniformRow(0));
     boundary.addFluxes(dt, residual_);
     boundary.addSources(state, dt, residual_);
+    if (rates.gravity.valid())
+    {
+        rates.gravity->addWeight(geometry, state, dt, residual_);
+    }
     if (rates.viscous.valid())
     {
         rates.viscous->addHalfStep(geometry, state, rates.rate, dt, residual_);

@@ -92,6 +92,10 @@ void Foam::twoStep<dim>::viscousStep
     }
     boundary.addFluxes(dt, residual_);
     boundary.addSources(state, dt, residual_);
+    if (rates.gravity.valid())
+    {
+        rates.gravity->addWeight(geometry, state, dt, residual_);
+    }
     if (rates.viscous.valid())
     {
         rates.viscous->addHalfStep(geometry, state, rates.rate, dt, residual_);

@@ -1,5 +1,4 @@
-"""Smooth flow: order of accuracy, sound over many periods, gas in a field of
-gravity."""
+"""Smooth flow: order of accuracy, sound over many periods."""
 import numpy as np
 import pytest
 
@@ -127,34 +126,3 @@ def test_soundOver100000Steps(tmp_path, table, numbers, amplitude, phase):
     """500 periods, 1e5 steps on 100 elements. Coarser meshes would lose whole
     periods."""
     checkSound(tmp_path, table, numbers, 500, amplitude, phase)
-
-
-# Gas at rest in a field of gravity, isothermal: rho = p = exp(-g x), in a tube
-# as long as the scale height; largest speed over c after ten passages of sound
-GRAVITY = 1.0
-# At the walls the balance is of first order
-REST_ORDER = 0.9
-REST = 1e-3  # largest Mach number on the last mesh
-
-
-def test_hydrostatic(tmp_path, table):
-    numbers = (25, 50, 100)
-
-    def state(x):
-        p = np.exp(-GRAVITY * x[:, 0])
-        return p, 0.0, p
-
-    speeds, seconds = [], []
-    for n in numbers:
-        case = BenchmarkCase(tmp_path / str(n), box([(1, n)]),
-                             gravity=(-GRAVITY, 0, 0), capturing=False)
-        case.start(state, {"left": "wall", "right": "wall"})
-        case.runTo(10 / C)
-        speeds.append(abs(case.result("U")[:, 0]).max() / C)
-        seconds.append(case.seconds)
-    table.add("gas at rest under gravity", "25 50 100 lines",
-              "largest Mach number, 10 passages of sound", speeds, "0",
-              f"last {REST}", orders(speeds, numbers), seconds,
-              capturing=False)
-    assert speeds[-1] < REST
-    assert orders(speeds, numbers)[-1] > REST_ORDER

@@ -1,7 +1,8 @@
 """Decomposed runs against the serial one.
 
 A blast in a box with a cyclic pair, walls and far fields, cells cut by several
-processors; 200 steps. With a moving mesh also viscous, with no-slip walls. The
+processors; 200 steps, one of the cases with gravity. With a moving mesh also
+viscous, with no-slip walls and gravity. The
 fields of the reconstructed case agree to rounding, whatever the number of
 processors and the way of cutting.
 """
@@ -51,6 +52,9 @@ STICKY = {
 }
 
 
+GRAVITY = {"cyclic": (0.5, -2.0, 0.0), "viscous": (1.0, -2.0, 0.5)}
+
+
 def blast(x):
     bump = np.exp(-((x - [0.3, 0.4, 0.5])**2).sum(axis=1) / 0.02)
     U = np.outer(np.ones(len(x)), [0.3, 0.1, 0.0])
@@ -61,7 +65,8 @@ def makeCase(folder, kind):
     mesh = box([(1, 12)], (1, 10), (1, 8))
     if kind == "cyclic":
         mesh.cyclic("back", "front")
-    case = BenchmarkCase(folder, mesh, mu=0.01 if kind == "viscous" else 0)
+    case = BenchmarkCase(folder, mesh, mu=0.01 if kind == "viscous" else 0,
+                         gravity=GRAVITY.get(kind))
     sides = dict(SIDES, **(
         {"left": INFLOW} if kind == "cyclic"
         else {"back": "wall", "front": "wall"}))
