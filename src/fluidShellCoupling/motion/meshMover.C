@@ -150,6 +150,37 @@ bool Foam::meshMover::accepts
 }
 
 
+void Foam::meshMover::watch
+(
+    const feMesh& mesh,
+    const pointField& undeformedNodes,
+    const cubicMotion& motion,
+    const pointField& lastDisplacement,
+    const std::function<void()>& goBack
+)
+{
+    // A cubic may go further than its ends
+    List<pointField> places;
+    for (const scalar s : {0.25, 0.5, 0.75, 1.0})
+    {
+        places.append(pointField(undeformedNodes + motion.at(s)));
+    }
+    if (!accepts(mesh, places))
+    {
+        goBack();
+        stop(points0() + lastDisplacement);
+    }
+}
+
+
+void Foam::meshMover::reportEnd(const label nShellSteps) const
+{
+    Info<< "Mesh motion: the motion solver was applied " << nSolves_
+        << " times in " << nShellSteps << " shell steps and at the start"
+        << endl;
+}
+
+
 void Foam::meshMover::stop(const pointField& lastPoints)
 {
     const word refused(mesh_.time().timeName());
