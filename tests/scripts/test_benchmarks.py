@@ -67,6 +67,20 @@ def test_gasRunsAndWritesItsPage(tmp_path):
     assert float(re.search(r"([\d.]+) GB/s", text).group(1)) > 0
 
 
+def test_inverseDistanceRunsAndWritesItsPage(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text("\n".join(marks("inverseDistance")) + "\n")
+    run("inverseDistance/inverseDistanceBenchmark.py", "-quick", "-page", page)
+    text = page.read_text()
+    rows = re.findall(
+        r"^\| ([23]) \| 0.01 \| ([\d,]+) \| .* \| (\S+) \| (\S+) \|$", text, re.M)
+    assert [r[0] for r in rows] == ["2", "2", "3", "3"]
+    assert all(0 < float(error) <= float(bound) <= 0.01
+               for _, _, error, bound in rows)
+    grown = re.findall(r"application grows as N\^([\d.]+)", text)
+    assert len(grown) == 2 and all(0.5 < float(g) < 2 for g in grown)
+
+
 def test_parallelRunsAndWritesItsPage(tmp_path):
     page = tmp_path / "page.md"
     page.write_text("\n".join(marks("parallel")) + "\n")

@@ -46,6 +46,11 @@ void Foam::gasAlone::advance()
     }
     const pointField start(gas_.mesh().nodes());
     const pointField end(gas_.mesh().gather(newPoints));
+    if (!mover_->accepts(gas_.mesh(), List<pointField>(1, end)))
+    {
+        gas_.updateFields();
+        mover_->stop(mesh_.points());
+    }
     subCycle
     (
         duration,

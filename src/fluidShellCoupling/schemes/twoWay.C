@@ -16,7 +16,8 @@ Foam::twoWay::twoWay
     shellCoupling(time, mesh, gas, std::move(shell), dict),
     mover_(mesh),
     initialNodes_(gas.mesh().gather(mover_.points0())),
-    motion_(gas.mesh().nNodes())
+    motion_(gas.mesh().nNodes()),
+    nShellSteps_(0)
 {
     Info<< "Coupling: twoWay, " << subCycles_
         << " gas step(s) per shell step" << endl;
@@ -62,12 +63,24 @@ void Foam::twoWay::moveWithShell
 void Foam::twoWay::advance()
 {
     const scalar duration = time_.deltaTValue();
+    const pointField lastDisplacement(endDisplacement_);
+    shell_->storeOldState();
     advanceShell(duration);
+    ++nShellSteps_;
     {
         phaseTimes::timer timer(times_, phaseTimes::meshMotion);
         vectorField displacement, velocity;
         moveWithShell(duration, displacement, velocity);
         motion_.advance(duration, displacement, velocity);
+        mover_.watch
+        (
+            gas_.mesh(), initialNodes_, motion_, lastDisplacement,
+            [&]()
+            {
+                shell_->restoreOldState();
+                gas_.updateFields();
+            }
+        );
     }
 
     subCycle
@@ -91,4 +104,11 @@ void Foam::twoWay::advance()
         phaseTimes::timer timer(times_, phaseTimes::meshMotion);
         mover_.move(mover_.points0() + endDisplacement_);
     }
+}
+
+
+void Foam::twoWay::reportEnd()
+{
+    shellCoupling::reportEnd();
+    mover_.reportEnd(nShellSteps_);
 }

@@ -18,40 +18,51 @@ struct scaledSetUp
 {
     attractingPoints moving;
     attractingPoints fixed;
+    List<slidingPoints> sliding;
     pointField targets;
 
     scaledSetUp
     (
         const attractingPoints& moving,
         const attractingPoints& fixed,
+        const UList<slidingPoints>& sliding,
         const pointField& targets,
         const inverseDistanceSettings& settings
     )
     :
         moving(moving),
         fixed(fixed),
+        sliding(sliding),
         targets(targets)
     {
         boundBox box(moving.positions, false);
         box.add(fixed.positions);
+        for (const slidingPoints& s : sliding)
+        {
+            box.add(s.positions);
+        }
         const point origin(box.midpoint());
         const scalar size = box.mag() > 0 ? box.mag() : 1;
 
-        for
-        (
-            pointField* p :
-            {&this->moving.positions, &this->fixed.positions, &this->targets}
-        )
+        const auto scale = [&](pointField& p)
         {
-            *p -= origin;
-            *p /= size;
-        }
-
-        this->fixed.strengths *= Foam::pow
+            p -= origin;
+            p /= size;
+        };
+        const scalar factor = Foam::pow
         (
             settings.referenceLength/size,
             settings.e2 - settings.e1
         );
+        scale(this->moving.positions);
+        scale(this->fixed.positions);
+        scale(this->targets);
+        this->fixed.strengths *= factor;
+        for (slidingPoints& s : this->sliding)
+        {
+            scale(s.positions);
+            s.strengths *= factor;
+        }
     }
 };
 
@@ -64,30 +75,27 @@ Foam::autoPtr<Foam::inverseDistanceOperator> Foam::inverseDistanceOperator::New
     const attractingPoints& moving,
     const attractingPoints& fixed,
     const pointField& targets,
-    const inverseDistanceSettings& settings
+    const inverseDistanceSettings& settings,
+    const UList<slidingPoints>& sliding
 )
 {
-    const scaledSetUp s(moving, fixed, targets, settings);
+    const scaledSetUp s(moving, fixed, sliding, targets, settings);
 
+    const auto make = [&](auto dimensions)
+    {
+        return autoPtr<inverseDistanceOperator>
+        (
+            new treeOperator<decltype(dimensions)::value>
+            (
+                s.moving, s.fixed, s.sliding, s.targets, settings
+            )
+        );
+    };
     switch (dim)
     {
-        case 1:
-            return autoPtr<inverseDistanceOperator>
-            (
-                new treeOperator<1>(s.moving, s.fixed, s.targets, settings)
-            );
-
-        case 2:
-            return autoPtr<inverseDistanceOperator>
-            (
-                new treeOperator<2>(s.moving, s.fixed, s.targets, settings)
-            );
-
-        case 3:
-            return autoPtr<inverseDistanceOperator>
-            (
-                new treeOperator<3>(s.moving, s.fixed, s.targets, settings)
-            );
+        case 1: return make(std::integral_constant<int, 1>());
+        case 2: return make(std::integral_constant<int, 2>());
+        case 3: return make(std::integral_constant<int, 3>());
     }
 
     FatalErrorInFunction

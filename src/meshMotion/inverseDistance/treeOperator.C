@@ -12,6 +12,7 @@ Foam::treeOperator<dim>::treeOperator
 (
     const attractingPoints& moving,
     const attractingPoints& fixed,
+    const UList<slidingPoints>& sliding,
     const pointField& targets,
     const inverseDistanceSettings& settings
 )
@@ -25,16 +26,22 @@ Foam::treeOperator<dim>::treeOperator
         multipole<dim>::nTerms
     )
 {
-    // Fixed points are summed once: the bounds of two clusters take about as
-    // long as so many points
     const attractor<dim> fixedPoints
     (
         fixed.positions,
         fixed.strengths,
         settings.e2,
-        64
+        leafOfSums
     );
-    termSelector<dim> selector(moving_, fixedPoints, settings.tolerance);
+
+    // Half of what is allowed for the planes, where there are any
+    planeResistance<dim> planes(sliding, settings.e2, settings.tolerance/2);
+    termSelector<dim> selector
+    (
+        moving_,
+        fixedPoints,
+        planes.empty() ? settings.tolerance : settings.tolerance/2
+    );
 
     rows_.reserve(targets.size());
     for (const point& p : targets)
@@ -42,6 +49,14 @@ Foam::treeOperator<dim>::treeOperator
         const coordinates target = sourceTree<dim>::toCoordinates(p);
         selector.select(target);
         addRow(target, selector);
+        if (!planes.empty())
+        {
+            planes.sum(target, selector.weight(), selector.bound());
+            inverses_.push_back(planes.inverse());
+            statistics_.nFixedTerms += planes.nTerms();
+            statistics_.worstBound =
+                max(statistics_.worstBound, selector.bound() + planes.bound());
+        }
     }
     terms_.shrink_to_fit();
     stored_.shrink_to_fit();
@@ -50,7 +65,8 @@ Foam::treeOperator<dim>::treeOperator
     statistics_.nBytes =
         rows_.size()*sizeof(row)
       + terms_.size()*sizeof(label)
-      + stored_.size()*sizeof(scalar);
+      + stored_.size()*sizeof(scalar)
+      + inverses_.size()*sizeof(typename planeResistance<dim>::matrix);
 }
 
 
@@ -190,7 +206,15 @@ void Foam::treeOperator<dim>::apply
         targetValues[k] = Zero;
         for (int a = 0; a < dim; ++a)
         {
-            targetValues[k][a] = r.scale*sum[a];
+            if (inverses_.empty())
+            {
+                targetValues[k][a] = r.scale*sum[a];
+                continue;
+            }
+            for (int b = 0; b < dim; ++b)
+            {
+                targetValues[k][a] += inverses_[k][a*dim + b]*sum[b];
+            }
         }
     }
 }

@@ -120,6 +120,30 @@ Foam::inverseDistanceMotionSolver::curPoints() const
 }
 
 
+Foam::tmp<Foam::pointField> Foam::inverseDistanceMotionSolver::newPoints()
+{
+    solve();
+    tmp<pointField> points(curPoints());
+    const volumeWatch::place least
+    (
+        watch_->least(volumeWatch::cellVolumes(mesh(), points()))
+    );
+    if (watch_->tooSmall(least))
+    {
+        const word refused(time().timeName());
+        volumeWatch::setTimeBack(mesh());
+        volumeWatch::setDisplacement
+        (
+            pointDisplacement_,
+            mesh().points() - points0()
+        );
+        watch_->stop(least, refused);
+    }
+    watch_->report(least);
+    return points;
+}
+
+
 void Foam::inverseDistanceMotionSolver::solve()
 {
     pointDisplacement_.boundaryFieldRef().updateCoeffs();
@@ -131,8 +155,8 @@ void Foam::inverseDistanceMotionSolver::solve()
     );
     setPoints(values, false);
 
-    // Symmetry planes hold their points. This also sets value types, the last
-    // patch last; moving and fixed points have their own rule.
+    // Takes the round-off normal to sliding patches away. This also sets value
+    // types, the last patch last; moving and fixed points have their own rule.
     pointConstraints::New(pointDisplacement_.mesh()).constrain
     (
         pointDisplacement_,

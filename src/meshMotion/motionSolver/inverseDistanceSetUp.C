@@ -6,7 +6,8 @@
 #include "cyclicPolyPatch.H"
 #include "dictionaryCheck.H"
 #include "processorPolyPatch.H"
-#include "slipPointPatchField.H"
+#include "basicSymmetryPointPatchField.H"
+#include "slidingPlanes.H"
 #include "valuePointPatchField.H"
 #include "wordRes.H"
 
@@ -143,6 +144,7 @@ void Foam::inverseDistanceMotionSolver::readPatches(const dictionary& dict)
             if
             (
                 !polyPatch::constraintType(patch.type())
+             && !slides(patch.index())
              && !movingPatches_.found(patch.index())
             )
             {
@@ -152,6 +154,33 @@ void Foam::inverseDistanceMotionSolver::readPatches(const dictionary& dict)
         fixedPatches_.transfer(others);
     }
 
+    DynamicList<label> sliding;
+    for (const polyPatch& patch : mesh().boundaryMesh())
+    {
+        if (slides(patch.index()) && !fixedPatches_.found(patch.index()))
+        {
+            sliding.append(patch.index());
+        }
+    }
+    slidingPatches_.transfer(sliding);
+    checkPatches(dict);
+}
+
+
+bool Foam::inverseDistanceMotionSolver::slides(const label patchi) const
+{
+    return isA<basicSymmetryPointPatchField<vector>>
+    (
+        pointDisplacement_.boundaryField()[patchi]
+    );
+}
+
+
+void Foam::inverseDistanceMotionSolver::checkPatches
+(
+    const dictionary& dict
+) const
+{
     for (const polyPatch& patch : mesh().boundaryMesh())
     {
         const bool moving = movingPatches_.found(patch.index());
@@ -215,14 +244,15 @@ void Foam::inverseDistanceMotionSolver::checkPatchFields
                 << pointDisplacement_.objectPath() << nl
                 << exit(FatalIOError);
         }
-        if (!moving && isA<slipPointPatchField<vector>>(pf))
+        if (fixed && slides(patch.index()))
         {
             FatalIOErrorInFunction(dict)
-                << "pointDisplacement has type slip on patch " << patch.name()
-                << " (" << pointDisplacement_.objectPath() << "):" << nl
-                << "    inverseDistance does not slide points along a patch. "
-                << "Use fixedValue, or make a" << nl
-                << "    flat patch of type symmetryPlane" << nl
+                << "pointDisplacement has type " << pf.type()
+                << " on the fixed patch " << patch.name() << " ("
+                << pointDisplacement_.objectPath() << ")" << nl
+                << "    Remove the patch from fixedPatches, so that its points "
+                << "slide, or give it" << nl
+                << "    type fixedValue with value uniform (0 0 0)" << nl
                 << exit(FatalIOError);
         }
     }
@@ -259,6 +289,7 @@ void Foam::inverseDistanceMotionSolver::makeSetUp()
     s.fixed.reset(new patchNodes(mesh(), s.scene, fixedPatches_, taken));
     take(*s.fixed);
 
+    const bitSet takenBoundary(taken);
     taken.flip();
     s.targets = taken.sortedToc();
 
@@ -270,25 +301,60 @@ void Foam::inverseDistanceMotionSolver::makeSetUp()
     s.weights = inverseDistanceOperator::New
     (
         s.scene.dim(),
-        makeAttractingPoints(*s.moving, movingPatches_),
-        makeAttractingPoints(*s.fixed, fixedPatches_),
+        makeAttractingPoints(*s.moving),
+        makeAttractingPoints(*s.fixed),
         positions,
-        settings_
+        settings_,
+        makeSlidingPoints(takenBoundary)
     );
+
+    watch_.reset
+    (
+        new volumeWatch
+        (
+            mesh(), *this, volumeWatch::cellVolumes(mesh(), points0())
+        )
+    );
+}
+
+
+Foam::List<Foam::slidingPoints>
+Foam::inverseDistanceMotionSolver::makeSlidingPoints
+(
+    const bitSet& taken
+)
+{
+    setUp& s = *setUp_;
+    const slidingPlanes planes(mesh(), s.scene, points0(), slidingPatches_);
+
+    s.nSliding = 0;
+    List<slidingPoints> sliding(planes.size());
+    forAll(sliding, p)
+    {
+        const patchNodes nodes
+        (
+            mesh(), s.scene, slidingPatches_, taken, planes.faces(p)
+        );
+        attractingPoints points(makeAttractingPoints(nodes));
+        sliding[p].positions.transfer(points.positions);
+        sliding[p].strengths.transfer(points.strengths);
+        sliding[p].normal = planes.normal(p);
+        s.nSliding += nodes.size();
+    }
+    return sliding;
 }
 
 
 Foam::attractingPoints Foam::inverseDistanceMotionSolver::makeAttractingPoints
 (
-    const patchNodes& nodes,
-    const labelList& patches
+    const patchNodes& nodes
 ) const
 {
     return
     {
         nodes.positions(),
         byArea_
-      ? nodes.areas(mesh(), points0(), patches)
+      ? nodes.areas(mesh(), points0())
       : scalarField(nodes.size(), 1)
     };
 }
@@ -304,8 +370,8 @@ void Foam::inverseDistanceMotionSolver::report() const
     const scalar nTargets = max(sum(setUp_->targets.size()), scalar(1));
 
     Info<< "inverseDistance: " << label(nTargets) << " points follow "
-        << setUp_->moving->size() << " moving and " << setUp_->fixed->size()
-        << " fixed points" << nl
+        << setUp_->moving->size() << " moving, " << setUp_->fixed->size()
+        << " fixed and " << setUp_->nSliding << " sliding points" << nl
         << "    e1 " << settings_.e1 << ", e2 " << settings_.e2
         << ", tolerance " << settings_.tolerance << " (worst bound "
         << returnReduce(local.worstBound, maxOp<scalar>()) << ")" << nl

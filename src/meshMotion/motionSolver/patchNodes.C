@@ -50,12 +50,15 @@ Foam::patchNodes::patchNodes
     const polyMesh& mesh,
     const sceneNodes& scene,
     const labelList& patches,
-    const bitSet& without
+    const bitSet& without,
+    const bitSet& faces
 )
 :
-    scene_(scene)
+    scene_(scene),
+    patches_(patches),
+    faces_(faces)
 {
-    findSources(mesh, patches, without);
+    findSources(mesh, without);
     sortPositions(mesh);
 }
 
@@ -74,12 +77,21 @@ Foam::List<Type> Foam::patchNodes::gathered(const List<Type>& local)
 }
 
 
-void Foam::patchNodes::findSources
-(
-    const polyMesh& mesh,
-    const labelList& patches,
-    const bitSet& without
-)
+Foam::labelList Foam::patchNodes::pointsOf(const polyPatch& patch) const
+{
+    bitSet found(patch.nPoints());
+    forAll(patch, i)
+    {
+        if (counts(patch.start() + i))
+        {
+            found.set(patch.localFaces()[i]);
+        }
+    }
+    return found.sortedToc();
+}
+
+
+void Foam::patchNodes::findSources(const polyMesh& mesh, const bitSet& without)
 {
     // The first patch, then the first process that has a face of it at the
     // node, delivers: any of the points there has that key
@@ -89,24 +101,27 @@ void Foam::patchNodes::findSources
     };
 
     labelList keys(mesh.nPoints(), labelMax);
-    for (const label patchi : patches)
+    for (const label patchi : patches_)
     {
-        for (const label pointi : mesh.boundaryMesh()[patchi].meshPoints())
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+        for (const label i : pointsOf(patch))
         {
-            keys[pointi] = min(keys[pointi], key(patchi));
+            label& least = keys[patch.meshPoints()[i]];
+            least = min(least, key(patchi));
         }
     }
 
     labelList wanted(leastKeys(mesh, scene_, keys));
-    for (const label patchi : patches)
+    for (const label patchi : patches_)
     {
-        const labelList& points = mesh.boundaryMesh()[patchi].meshPoints();
-        forAll(points, i)
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+        for (const label i : pointsOf(patch))
         {
-            const label node = scene_.nodeOfPoint()[points[i]];
+            const label pointi = patch.meshPoints()[i];
+            const label node = scene_.nodeOfPoint()[pointi];
             if (wanted[node] == key(patchi) && !without.test(node))
             {
-                sources_.append(source{patchi, i, points[i]});
+                sources_.append(source{patchi, i, pointi});
                 wanted[node] = labelMax;
             }
         }
@@ -180,15 +195,20 @@ Foam::vectorField Foam::patchNodes::values(const pointVectorField& field) const
 Foam::scalarField Foam::patchNodes::areas
 (
     const polyMesh& mesh,
-    const pointField& points,
-    const labelList& patches
+    const pointField& points
 ) const
 {
     scalarField ofPoint(mesh.nPoints(), Zero);
-    for (const label patchi : patches)
+    for (const label patchi : patches_)
     {
-        for (const face& f : mesh.boundaryMesh()[patchi])
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+        forAll(patch, i)
         {
+            if (!counts(patch.start() + i))
+            {
+                continue;
+            }
+            const face& f = patch[i];
             const scalar share = f.mag(points)/f.size();
             for (const label pointi : f)
             {

@@ -2,8 +2,15 @@
   shockShellFoam: shock waves on thin structures, an extension of OpenFOAM
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
-// One line of the table that ./run prints:
-//     inverseDistance <dimensions> <points> <tolerance>   or   header
+// One row of the table of inverseDistanceBenchmark.py, numbers apart by blanks:
+//     inverseDistance <dimensions> <points> <tolerance>
+// prints
+//     points, moving and fixed points;
+//     weights of an application per point, terms of the fixed points per point;
+//     memory per point [bytes];
+//     processor time of set-up and of an application per point [us];
+//     these over those of the direct sum;
+//     largest error of a smooth motion over its largest displacement; its bound
 
 #include "inverseDistanceOperator.H"
 #include "DynamicList.H"
@@ -11,7 +18,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
 
 using namespace Foam;
@@ -132,21 +138,6 @@ vectorField directDisplacements
 
 int main(int argc, char* argv[])
 {
-    if (argc == 2 && !std::strcmp(argv[1], "header"))
-    {
-        std::printf
-        (
-            "Per point: weights of an application, terms of the fixed points, "
-            "bytes.\n"
-            "setup, apply: processor time over that of the direct sum. error:\n"
-            "largest of a smooth motion over its largest displacement;\n"
-            "bound: what it cannot exceed.\n\n"
-            "%3s %8s %7s %7s %9s %8s %7s %6s %6s %6s %8s %8s\n",
-            "dim", "points", "moving", "fixed", "tolerance", "weights",
-            "terms", "bytes", "setup", "apply", "error", "bound"
-        );
-        return 0;
-    }
     if (argc != 4)
     {
         std::fprintf
@@ -209,11 +200,12 @@ int main(int argc, char* argv[])
     const inverseDistanceStatistics& s = op->statistics();
     std::printf
     (
-        "%3d %8d %7d %7d %9.0e %8.1f %7.1f %6.0f %6.2f %6.3f %8.1e %8.1e\n",
-        dim, nPoints, box.moving.positions.size(),
-        box.fixed.positions.size(), settings.tolerance,
+        "%d %d %d %g %g %g %g %g %g %g %g %g\n",
+        nPoints, box.moving.positions.size(), box.fixed.positions.size(),
         double(s.nWeights)/nPoints, double(s.nFixedTerms)/nPoints,
-        double(s.nBytes)/nPoints, setup/directSetup, apply/directApply,
+        double(s.nBytes)/nPoints,
+        1e6*setup/nPoints, 1e6*apply/nPoints,
+        setup/directSetup, apply/directApply,
         error/max(mag(motion)), s.worstBound
     );
     return 0;

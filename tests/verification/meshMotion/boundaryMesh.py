@@ -42,13 +42,32 @@ class BoundaryMesh:
         return result
 
 
+def distance(x, y):
+    return np.linalg.norm(x[:, None, :] - y[None, :, :], axis=2)
+
+
 def inverseDistance(
     targets, moving, values, fixed, e1=4, e2=4, movingMass=1, fixedMass=1
 ):
     """Eqs. (M1) to (M3): values of the targets, one row each."""
-    def distance(x, y):
-        return np.linalg.norm(x[:, None, :] - y[None, :, :], axis=2)
-
     a = movingMass*distance(targets, moving)**-e1
     b = fixedMass*distance(targets, fixed)**-e2
     return a @ values/(a.sum(axis=1) + b.sum(axis=1))[:, None]
+
+
+def slidingDistance(targets, moving, values, fixed, planes, e=4):
+    """Eq. (M14). planes: pairs of a unit normal and points.
+
+    Targets on a plane count as very near to it."""
+    def weight(points):
+        return np.maximum(distance(targets, points), 1e-4)**-e
+
+    a = distance(targets, moving)**-e
+    matrix = np.multiply.outer(
+        a.sum(axis=1) + (distance(targets, fixed)**-e).sum(axis=1), np.eye(3)
+    )
+    for normal, points in planes:
+        matrix += np.multiply.outer(
+            weight(points).sum(axis=1), np.outer(normal, normal)
+        )
+    return np.linalg.solve(matrix, (a @ values)[:, :, None])[:, :, 0]

@@ -6,13 +6,13 @@ import pytest
 
 from foamCase import FoamCase
 
-from boundaryMesh import BoundaryMesh, inverseDistance
+from boundaryMesh import BoundaryMesh, inverseDistance, slidingDistance
 
 CASES = Path(__file__).resolve().parent / "cases"
 DICT = "constant/dynamicMeshDict"
 COEFFS = "inverseDistanceCoeffs"
 FIELD = "pointDisplacement"
-AMPLITUDE = np.array([0.08, -0.02, 0])
+AMPLITUDE = np.array([0.008, -0.002, 0])
 
 
 def prescribed(points):
@@ -170,17 +170,102 @@ def test_points_of_moving_and_fixed_patches_move(panel):
     )
 
 
+def slipCase(folder):
+    """Walls (two sides and a ceiling, one patch) along which points slide."""
+    case = panelCase(folder)
+    case.set(f"0/{FIELD}", "boundaryField/walls", "{ type slip; }")
+    return case
+
+
+def wallsOf(mesh, left, right, top):
+    """Labels of the points on the walls, by the direction of the normal."""
+    points = mesh.patchPoints("walls")
+    x, y = mesh.points[points, 0], mesh.points[points, 1]
+    return (points[np.isclose(x, left) | np.isclose(x, right)],
+            points[np.isclose(y, top)])
+
+
+def test_points_slide_along_walls(tmp_path):
+    case = slipCase(tmp_path / "case")
+    setCoeff(case, "tolerance", 0)
+    displacement = moved(case)
+    mesh = BoundaryMesh(case)
+    sides, ceiling = wallsOf(mesh, -0.5, 0.5, 0.6)
+    floor = mesh.patchPoints("floor")
+
+    assert len(ceiling) > 60
+    assert abs(displacement[sides, 0]).max() < 1e-16
+    assert abs(displacement[ceiling, 1]).max() < 1e-16
+    assert abs(displacement[ceiling, 0]).max() > 0.001
+    between = np.setdiff1d(sides, np.concatenate([ceiling, floor]))
+    assert abs(displacement[between, 1]).min() > 0
+    assert "Mesh OK." in case.run("checkMesh", "-time", "1")
+
+    # The sides have one normal; a plane's points on the floor are fixed
+    moving = mesh.patchPoints("panel")
+    fixed = np.setdiff1d(floor, moving)
+    targets = np.setdiff1d(
+        np.arange(len(mesh.points)), np.concatenate([moving, floor])
+    )
+    flat = mesh.points*[1, 1, 0]
+    values = slidingDistance(
+        flat[targets], flat[moving], prescribed(flat[moving]), flat[fixed],
+        [([1, 0, 0], flat[np.setdiff1d(sides, floor)]),
+         ([0, 1, 0], flat[ceiling])],
+    )
+    np.testing.assert_allclose(
+        displacement[targets], values, rtol=0, atol=1e-10
+    )
+
+
+def test_points_slide_along_an_oblique_wall(tmp_path):
+    """The room turned by 30 degrees: the same motion, turned."""
+    displacement = {}
+    c, s = np.cos(np.radians(30)), np.sin(np.radians(30))
+    turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    for angle in (0, 30):
+        case = slipCase(tmp_path / str(angle))
+        setCoeff(case, "tolerance", 0)
+        case.set(f"0/{FIELD}", "boundaryField/panel", """{
+            type uniformFixedValue; value uniform (0 0 0);
+            uniformValue ("""
+            + " ".join(map(str, (turn if angle else np.eye(3)) @ [.01, .005, 0]))
+            + "); }")
+        case.run("blockMesh")
+        case.run("transformPoints", "-rotate-angle", f"((0 0 1) {angle})")
+        case.run("moveDynamicMesh")
+        displacement[angle] = case.pointField(FIELD, "1")
+    np.testing.assert_allclose(
+        displacement[30], displacement[0] @ turn.T, rtol=0, atol=1e-8
+    )
+
+
+def test_curved_walls_cannot_slide(tmp_path):
+    case = slipCase(tmp_path / "case")
+    case.set("system/blockMeshDict", "edges", "(arc 9 10 (-0.3 0.7 0)"
+             " arc 21 22 (-0.3 0.7 0.1) arc 8 9 (-0.4 0.7 0)"
+             " arc 20 21 (-0.4 0.7 0.1))")
+    case.run("blockMesh")
+    log = case.run("moveDynamicMesh", check=False)
+    assert case.exitCode != 0
+    assert "faces of patch walls have more than" in log
+    assert "fixedValue" in log
+
+
 def test_symmetry_planes_hold_their_points(tmp_path):
     case = panelCase(tmp_path / "case", "symmetryPlane")
     case.set(
-        f"0/{FIELD}", "boundaryField/panel/amplitude", "(0.08 -0.02 0.01)"
+        f"0/{FIELD}", "boundaryField/panel/amplitude", "(0.008 -0.002 0.001)"
     )
     displacement = moved(case)
     mesh = BoundaryMesh(case)
     points = np.setdiff1d(
         mesh.patchPoints("front", "back"), mesh.patchPoints("panel")
     )
-    assert np.all(displacement[points, 2] == 0)
+    assert abs(displacement[points, 2]).max() < 1e-18
+    np.testing.assert_array_equal(
+        case.points("1")[points, 2], mesh.points[points, 2]
+    )
     inside = np.setdiff1d(
         np.arange(len(mesh.points)), mesh.patchPoints(*mesh.patches)
     )
@@ -193,13 +278,16 @@ def test_symmetry_planes_hold_their_points(tmp_path):
     ("patch", "1 2 1", {"e1": 3}),
     ("patch", "1 1 2", {"weights": "area"}),
     ("symmetryPlane", "1 1 2", {}),
+    ("slip", "2 1 1", {}),
+    ("slip", "1 2 1", {"weights": "area"}),
 ])
 def test_two_processes_move_the_mesh_as_one_does(
     tmp_path, sides, parts, coeffs
 ):
     displacement = []
     for name in ("one", "two"):
-        case = panelCase(tmp_path / name, sides)
+        case = (slipCase(tmp_path / name) if sides == "slip"
+                else panelCase(tmp_path / name, sides))
         for keyword, value in coeffs.items():
             setCoeff(case, keyword, value)
         displacement.append(
@@ -264,6 +352,11 @@ def withoutMovingPatches(case):
     )
 
 
+def fixedSlip(case):
+    case.set(f"0/{FIELD}", "boundaryField/floor", "{ type slip; }")
+    setCoeff(case, "fixedPatches", "(floor walls)")
+
+
 @pytest.mark.parametrize("spoil, wanted", [
     (coeff("movingPatches", "(pannel)"), [
         "Unknown patch pannel in movingPatches", "panel", "walls",
@@ -288,8 +381,9 @@ def withoutMovingPatches(case):
     (patchField("panel", "{ type calculated; }"), [
         "type calculated on the moving patch panel",
     ]),
-    (patchField("floor", "{ type slip; }"), [
-        "type slip on patch floor",
+    (fixedSlip, ["type slip on the fixed patch floor", "slide"]),
+    (patchField("panel", "{ type slip; }"), [
+        "type slip on the moving patch panel",
     ]),
     (patchField("floor", "{ type fixedValue; value uniform (1 0 0); }"), [
         "not zero on the fixed patch floor", "movingPatches",

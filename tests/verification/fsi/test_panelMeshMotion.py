@@ -1,0 +1,136 @@
+"""The mesh motion of the shock-tube panel: how often, by which solver, and
+what stops it."""
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from foamCase import FoamCase
+
+PANEL = Path(__file__).resolve().parents[3].joinpath(
+    "tutorials", "fsi", "shockPanel50")
+END, STEP, STEPS = "1.2e-4", "4e-6", 30
+
+LAPLACIAN = (
+    ("fvSchemes", "laplacianSchemes", "{ default Gauss linear corrected; }"),
+    ("fvSchemes", "snGradSchemes", "{ default corrected; }"),
+    ("fvSchemes", "gradSchemes", "{ default Gauss linear; }"),
+    ("fvSchemes", "interpolationSchemes", "{ default linear; }"),
+)
+
+
+class Panel(FoamCase):
+    """Cells twice as long in the flow's direction; fixed steps."""
+
+    def __init__(self, folder, end=END):
+        super().__init__(PANEL, folder)
+        mesh = self.path / "system" / "blockMeshDict"
+        mesh.write_text(re.sub(
+            r"\) \((\d+) (\d+) 1\)",
+            lambda m: f") ({max(2, int(m[1])//2)} {int(m[2])//2} 1)",
+            mesh.read_text()))
+        for entry, value in (
+            ("adjustTimeStep", "no"), ("deltaT", STEP), ("endTime", end),
+            ("writeControl", "timeStep"), ("writeInterval", "10"),
+            ("writePrecision", "17"), ("timePrecision", "8"),
+        ):
+            self.set("system/controlDict", entry, value)
+        self.run("blockMesh")
+        self.run("blockShell")
+        self.run("setPointFields")
+
+    def runs(self, check=True):
+        self.log = self.run("shockShellFoam", check=check)
+        return self
+
+    def tip(self, start=0):
+        return self.history(f"panelTip/{start}/displacement.dat")[1]
+
+
+@pytest.fixture(scope="module")
+def panel(tmp_path_factory):
+    return Panel(tmp_path_factory.mktemp("motion") / "case").runs()
+
+
+def test_twiceForEachShellStep(panel):
+    """Not once for each of the ten gas steps in it."""
+    steps = panel.log.count("\nTime = ")
+    assert steps == STEPS
+    assert re.findall(r"Gas: (\d+) step", panel.log) == ["10"] * steps
+    solves, shellSteps = map(int, re.search(
+        r"motion solver was applied (\d+) times in (\d+) shell steps",
+        panel.log).groups())
+    assert shellSteps == steps
+    assert solves == 2*steps + 2
+
+
+def test_everyStepTellsTheLeastRatio(panel):
+    ratios = [float(r) for r in re.findall(
+        r"Mesh motion: least volume ratio (\S+), cell \d+ at \(", panel.log)]
+    assert len(ratios) == STEPS
+    assert 0.99 < ratios[-1] < ratios[0] <= 1
+
+
+def test_laplacianInTheSameCase(panel, tmp_path):
+    """The motion of the panel hardly depends on how the mesh follows it."""
+    case = Panel(tmp_path / "case")
+    case.set("constant/dynamicMeshDict", "solver", "displacementLaplacian")
+    case.set("constant/dynamicMeshDict", "motionSolverLibs",
+             "(fvMotionSolvers)")
+    case.run("foamDictionary", "constant/dynamicMeshDict", "-entry",
+             "displacementLaplacianCoeffs", "-add", "{ diffusivity uniform; }")
+    for file, entry, value in LAPLACIAN:
+        case.run("foamDictionary", f"system/{file}", "-entry", entry, "-set",
+                 value)
+    case.run("foamDictionary", "system/fvSolution", "-entry", "solvers",
+             "-set", '{ "cellDisplacement.*" { solver PCG; preconditioner DIC;'
+             " tolerance 1e-14; relTol 0; } }")
+    case.runs()
+    assert "Selecting motion solver: displacementLaplacian" in case.log
+    one, other = panel.tip()[:, 1], case.tip()[:, 1]
+    assert other[-1] > 0
+    assert abs(other - one).max() < 1e-3*one[-1]
+    assert abs(other - one).max() > 1e-12*one[-1]
+
+
+def continued(case):
+    """The case from its latest time to END."""
+    start = case.times()[-1]
+    case.set("system/controlDict", "endTime", END)
+    case.set("system/controlDict", "startFrom", "latestTime")
+    return case.runs(), start
+
+
+def test_stopLeavesTheStateOfARunThatEndsThere(panel, tmp_path):
+    """The watch stops before the gas moves: shell and gas go back to the end of
+    the last step. What is written is what a run up to there writes, and a run
+    that continues from it is the same."""
+    ratios = [float(r) for r in re.findall(
+        r"least volume ratio (\S+), cell", panel.log)]
+    case = Panel(tmp_path / "case")
+    case.run("foamDictionary", "constant/dynamicMeshDict", "-entry", "quality",
+             "-add", f"{{ stopBelow {0.5*(ratios[24] + ratios[25]):.17g};"
+             " warnBelow 1; }")
+    case.runs(check=False)
+    assert case.exitCode not in (0, None)
+    assert "nearest to patch panel" in case.log
+    assert "at time 0.000104\n" in case.log
+    assert "state is that of time 0.0001, which is written" in case.log
+    assert case.times()[-1] == "0.0001"
+    case.set("constant/dynamicMeshDict", "quality/stopBelow", "0")
+
+    other = Panel(tmp_path / "other", end="1e-4").runs()
+    runs = (case, "0.0001"), (other, "0.0001")
+    for pair in (runs, (continued(case), continued(other))):
+        names = [c.times()[-1] for c, _ in pair]
+        assert names[0] == names[1]
+        for name in ("p", "U", "T", "pointDisplacement"):
+            one, two = (c.pointField(name, names[0]) for c, _ in pair)
+            np.testing.assert_allclose(
+                one, two, rtol=0, atol=1e-13*abs(two).max())
+        one, two = (c.points(names[0]) for c, _ in pair)
+        np.testing.assert_allclose(one, two, rtol=0, atol=1e-16)
+    assert case.tip("0.0001")[-1, 1] == other.tip("0.0001")[-1, 1]
+    assert case.tip("0.0001")[-1, 1] == pytest.approx(
+        panel.tip()[-1, 1], rel=1e-6)
