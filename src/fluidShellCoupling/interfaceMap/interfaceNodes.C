@@ -76,3 +76,15 @@ Foam::tmp<Foam::vectorField> Foam::interfaceNodes::pressureForces
     }
     return tforces;
 }
+
+
+Foam::tmp<Foam::vectorField> Foam::interfaceNodes::areas
+(
+    const taylorGalerkinGas& gas
+) const
+{
+    // Forces are linear in pRef; the difference has the rounding of pressures
+    // over 1e5 Pa
+    const scalar unit = 1e5;
+    return (pressureForces(gas, 0) - pressureForces(gas, unit))/unit;
+}

@@ -34,9 +34,19 @@ void Foam::cubicMotion::advance
 {
     d0_.swap(d1_);
     v0_ = v1_*(duration/duration_);
-    d1_ = displacement;
-    v1_ = velocity*duration;
     duration_ = duration;
+    setEnd(displacement, velocity);
+}
+
+
+void Foam::cubicMotion::setEnd
+(
+    const vectorField& displacement,
+    const vectorField& velocity
+)
+{
+    d1_ = displacement;
+    v1_ = velocity*duration_;
 }
 
 

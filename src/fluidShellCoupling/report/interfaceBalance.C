@@ -3,17 +3,11 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "interfaceBalance.H"
-#include "OSspecific.H"
 
 Foam::interfaceBalance::interfaceBalance(const Time& runTime)
 :
-    stepGas_(0),
-    stepShell_(0),
-    workGas_(0),
-    workShell_(0),
-    forceGas_(Zero),
-    forceShell_(Zero),
-    impulse_(Zero)
+    largestDifference_(0),
+    largestWork_(0)
 {
     const fileName folder
     (
@@ -25,69 +19,107 @@ Foam::interfaceBalance::interfaceBalance(const Time& runTime)
         << "# Balance at the interface of gas and shell, SI units" << nl
         << "# time forceGas_x forceGas_y forceGas_z"
         << " forceShell_x forceShell_y forceShell_z"
-        << " impulse_x impulse_y impulse_z workGas workShell" << endl;
+        << " impulseShell_x impulseShell_y impulseShell_z workGas workShell"
+        << " impulseGas_x impulseGas_y impulseGas_z"
+        << " momentGas_x momentGas_y momentGas_z"
+        << " momentShell_x momentShell_y momentShell_z"
+        << " stepWorkGas stepWorkShell" << endl;
     file_().precision(16);
 }
 
 
-void Foam::interfaceBalance::begin
-(
-    const vector& forceGas,
-    const vector& forceShell,
-    scalar dt
-)
+void Foam::interfaceBalance::begin()
 {
-    forceGas_ = forceGas;
-    forceShell_ = forceShell;
-    impulse_ += forceShell*dt;
-    stepGas_ = 0;
-    stepShell_ = 0;
+    stepGas_ = side();
+    stepShell_ = side();
+}
+
+
+void Foam::interfaceBalance::setLoads(const load& gas, const load& shell)
+{
+    loadGas_ = gas;
+    loadShell_ = shell;
 }
 
 
 void Foam::interfaceBalance::addGas
 (
     const vectorField& forces,
-    const vectorField& displacement
+    const vectorField& displacement,
+    const scalar dt
 )
 {
-    const scalar work = sum(forces & displacement);
-    stepGas_ += work;
-    workGas_ += work;
+    stepGas_.work += sum(forces & displacement);
+    stepGas_.impulse += sum(forces)*dt;
 }
 
 
-void Foam::interfaceBalance::addShell(const scalar work)
+void Foam::interfaceBalance::addShell
+(
+    const vector& force,
+    const scalar work,
+    const scalar dt
+)
 {
-    stepShell_ = work;
-    workShell_ += work;
+    stepShell_.work += work;
+    stepShell_.impulse += force*dt;
 }
 
 
-Foam::scalar Foam::interfaceBalance::mismatch() const
+void Foam::interfaceBalance::end()
 {
-    return
-        mag(workGas_ - workShell_)
-       /max(max(mag(workGas_), mag(workShell_)), VSMALL);
+    gas_ += stepGas_;
+    shell_ += stepShell_;
+    largestDifference_ =
+        max(largestDifference_, mag(stepGas_.work - stepShell_.work));
+    largestWork_ = max(largestWork_, mag(stepShell_.work));
+}
+
+
+void Foam::interfaceBalance::resume(const side& gas, const side& shell)
+{
+    gas_ = gas;
+    shell_ = shell;
 }
 
 
 void Foam::interfaceBalance::report(const Time& runTime)
 {
-    Info<< "Interface: force " << forceShell_ << " N, mismatch "
-        << mag(forceGas_ - forceShell_)/max(mag(forceGas_), VSMALL)
-        << ", impulse " << impulse_ << " N s" << nl
-        << "    work this step: gas " << stepGas_ << " J, shell "
-        << stepShell_ << " J; accumulated: gas " << workGas_
-        << " J, shell " << workShell_ << " J, mismatch " << mismatch() << nl;
+    auto relative = [](const vector& a, const vector& b)
+    {
+        return mag(a - b)/max(mag(a), VSMALL);
+    };
+    Info<< "Interface: force " << loadShell_.force << " N, mismatch "
+        << relative(loadGas_.force, loadShell_.force)
+        << ", of moment " << relative(loadGas_.moment, loadShell_.moment)
+        << ", impulse " << shell_.impulse << " N s" << nl
+        << "    work this step: gas " << stepGas_.work << " J, shell "
+        << stepShell_.work << " J, mismatch " << stepMismatch()
+        << "; accumulated: gas " << gas_.work << " J, shell " << shell_.work
+        << " J, mismatch " << mismatch() << nl;
 
     auto write = [&](const vector& v)
     {
         file_() << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
     };
     file_() << runTime.value();
-    write(forceGas_);
-    write(forceShell_);
-    write(impulse_);
-    file_() << ' ' << workGas_ << ' ' << workShell_ << endl;
+    write(loadGas_.force);
+    write(loadShell_.force);
+    write(shell_.impulse);
+    file_() << ' ' << gas_.work << ' ' << shell_.work;
+    write(gas_.impulse);
+    write(loadGas_.moment);
+    write(loadShell_.moment);
+    file_() << ' ' << stepGas_.work << ' ' << stepShell_.work << endl;
+}
+
+
+void Foam::interfaceBalance::reportEnd() const
+{
+    Info<< "Interface: work given by the gas " << gas_.work
+        << " J, received by the shell " << shell_.work
+        << " J, relative mismatch " << mismatch() << nl
+        << "    impulse of the gas " << gas_.impulse << " N s, on the shell "
+        << shell_.impulse << " N s; largest mismatch of a step's work "
+        << worstStep() << nl;
 }

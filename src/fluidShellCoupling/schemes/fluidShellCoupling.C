@@ -4,8 +4,7 @@
 \*---------------------------------------------------------------------------*/
 #include "fluidShellCoupling.H"
 #include "gasAlone.H"
-#include "oneWay.H"
-#include "twoWay.H"
+#include "shellCoupling.H"
 #include "shellModelSide.H"
 #include "dictionaryCheck.H"
 
@@ -64,29 +63,27 @@ Foam::autoPtr<Foam::fluidShellCoupling> Foam::fluidShellCoupling::New
     (
         dict,
         {
-            "coupling", "patches", "subCycles", "loadTransfer", "pRef",
-            "mapTolerance"
+            "coupling", "patches", "subCycles", "shellSteps", "loads",
+            "loadTransfer", "pRef", "mapTolerance"
         }
     );
-    const label choice =
-        selectEntry(dict, "coupling", {"none", "oneWay", "twoWay"});
+    const wordList schemes(shellCoupling::schemes());
+    wordList choices(1, word("none"));
+    choices.append(schemes);
+    const label choice = selectEntry(dict, "coupling", choices);
 
     if (choice == 0)
     {
         return autoPtr<fluidShellCoupling>(new gasAlone(time, mesh, gas));
     }
-
-    autoPtr<shellSide> shell(new shellModelSide(time));
-    fluidShellCoupling* coupling = nullptr;
-    if (choice == 1)
-    {
-        coupling = new oneWay(time, mesh, gas, std::move(shell), dict);
-    }
-    else
-    {
-        coupling = new twoWay(time, mesh, gas, std::move(shell), dict);
-    }
-    return autoPtr<fluidShellCoupling>(coupling);
+    return autoPtr<fluidShellCoupling>
+    (
+        shellCoupling::New
+        (
+            choices[choice], time, mesh, gas,
+            autoPtr<shellSide>(new shellModelSide(time)), dict
+        ).ptr()
+    );
 }
 
 
@@ -106,13 +103,23 @@ Foam::fluidShellCoupling::fluidShellCoupling
     nLastSteps_(0),
     courantMax_(0),
     largestStable_(0)
-{}
+{
+    if (!subCycles_ && adjustTimeStep())
+    {
+        FatalIOErrorInFunction(time.controlDict())
+            << "subCycles adaptive in constant/couplingProperties takes deltaT"
+            << " as the coupling step," << nl
+            << "    but adjustTimeStep would change it" << nl
+            << "    Set adjustTimeStep no, or a number of subCycles"
+            << exit(FatalIOError);
+    }
+}
 
 
 const Foam::stableStep& Foam::fluidShellCoupling::stable()
 {
     const stableStep& s = gas_.stable();
-    if (!adjustTimeStep())
+    if (!followsCourant())
     {
         return s;
     }
@@ -205,9 +212,14 @@ void Foam::fluidShellCoupling::setDeltaT()
         dt = time_.deltaTValue();
     }
 
+    const scalar gasDt = dt/
+    (
+        subCycles_ ? scalar(subCycles_)
+      : std::ceil(dt/(maxCo()*stable.deltaT) - 1e-6)
+    );
     Info<< "Courant Number mean: "
-        << stable.meanConvection*dt/subCycles_ << " max: "
-        << stable.maxConvection*dt/subCycles_ << nl
+        << stable.meanConvection*gasDt << " max: "
+        << stable.maxConvection*gasDt << nl
         << "Stable step " << stable.deltaT << " s: " << stable.limit()
         << " at node " << stable.node << " " << stable.position << nl
         << "deltaT = " << dt << endl;
@@ -223,6 +235,7 @@ void Foam::fluidShellCoupling::write()
     }
     if (willWrite())
     {
+        saveForRestart();
         time_.writeNow();
     }
 }

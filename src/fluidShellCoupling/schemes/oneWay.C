@@ -3,6 +3,14 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "oneWay.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(oneWay, 0);
+    addToRunTimeSelectionTable(shellCoupling, oneWay, dictionary);
+}
+
 
 Foam::oneWay::oneWay
 (
@@ -15,26 +23,24 @@ Foam::oneWay::oneWay
 :
     shellCoupling(time, mesh, gas, std::move(shell), dict)
 {
-    Info<< "Coupling: oneWay, " << subCycles_
-        << " gas step(s) per shell step" << endl;
     findMap
     (
         nodes_.gather(gas_.mesh().nodes()),
         dict.getOrDefault<scalar>("mapTolerance", 0.01)
     );
+    resume();
 }
 
 
 void Foam::oneWay::advance()
 {
     const scalar duration = time_.deltaTValue();
+    beginStep(duration);
     advanceShell(duration);
-    subCycle
+    advanceGas
     (
-        duration,
-        [&](const scalar, const scalar, const scalar dt)
-        {
-            gas_.advance(dt);
-        }
+        duration, false,
+        [&](const scalar, const scalar dt) { gas_.advance(dt); }
     );
+    balance_.end();
 }

@@ -4,8 +4,91 @@
 \*---------------------------------------------------------------------------*/
 #include "shellCoupling.H"
 #include "shellInterfacePointPatchVectorField.H"
-#include "SubField.H"
 #include "dictionaryCheck.H"
+#include "SubField.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(shellCoupling, 0);
+    defineRunTimeSelectionTable(shellCoupling, dictionary);
+}
+
+const Foam::word Foam::shellCoupling::stateName("interface");
+
+
+static Foam::label readSubCycles(const Foam::dictionary& dict)
+{
+    using namespace Foam;
+
+    if (!dict.found("subCycles"))
+    {
+        return 1;
+    }
+    const token first(dict.lookup("subCycles")[0]);
+    if (first.isWord() && first.wordToken() == "adaptive")
+    {
+        return 0;
+    }
+    if (!first.isLabel() || first.labelToken() < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "subCycles must be a number of at least 1, or adaptive"
+            << exit(FatalIOError);
+    }
+    return first.labelToken();
+}
+
+
+static Foam::label readShellSteps(const Foam::dictionary& dict)
+{
+    using namespace Foam;
+
+    const label n = dict.getOrDefault<label>("shellSteps", 1);
+    if (n < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "shellSteps must be at least 1, not " << n
+            << exit(FatalIOError);
+    }
+    return n;
+}
+
+
+static bool readAverages(const Foam::dictionary& dict)
+{
+    return
+        dict.found("loads")
+     && Foam::selectEntry(dict, "loads", {"end", "average"}) == 1;
+}
+
+
+Foam::wordList Foam::shellCoupling::schemes()
+{
+    return dictionaryConstructorTablePtr_->sortedToc();
+}
+
+
+Foam::autoPtr<Foam::shellCoupling> Foam::shellCoupling::New
+(
+    const word& scheme,
+    Time& time,
+    polyMesh& mesh,
+    taylorGalerkinGas& gas,
+    autoPtr<shellSide>&& shell,
+    const dictionary& dict
+)
+{
+    const auto constructor = dictionaryConstructorTablePtr_->cfind(scheme);
+    if (!constructor.found())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown coupling " << scheme << nl
+            << "    Valid choices are " << flatOutput(schemes())
+            << exit(FatalIOError);
+    }
+    return constructor()(time, mesh, gas, std::move(shell), dict);
+}
+
 
 Foam::shellCoupling::shellCoupling
 (
@@ -16,14 +99,19 @@ Foam::shellCoupling::shellCoupling
     const dictionary& dict
 )
 :
-    fluidShellCoupling
-    (
-        time, mesh, gas, dict.getOrDefault<label>("subCycles", 1)
-    ),
+    fluidShellCoupling(time, mesh, gas, readSubCycles(dict)),
     shell_(std::move(shell)),
     pRef_(dict.getOrDefault<scalar>("pRef", 0)),
+    shellSteps_(readShellSteps(dict)),
+    averages_(readAverages(dict)),
     nodes_(gas.mesh(), dict),
-    balance_(time)
+    balance_(time),
+    indicators_
+    (
+        gas, nodes_, shell_->model().totalMass(),
+        dict.getOrDefault<scalar>("adviceTolerance", 0.05)
+    ),
+    warned_(false)
 {
     if (Pstream::parRun())
     {
@@ -32,18 +120,33 @@ Foam::shellCoupling::shellCoupling
             << "runs in parallel" << nl
             << "    Run without -parallel" << exit(FatalIOError);
     }
-    if (subCycles_ < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "subCycles must be at least 1, not " << subCycles_
-            << exit(FatalIOError);
-    }
     if (dict.found("loadTransfer"))
     {
         selectEntry(dict, "loadTransfer", {"consistent"});
     }
+    checkPatches(dict);
+    checkStripWidth();
 
-    const auto& U = mesh.lookupObject<pointVectorField>("U");
+    Info<< "Coupling: " << dict.get<word>("coupling").c_str() << ", ";
+    if (subCycles_)
+    {
+        Info<< subCycles_ << " gas step(s) per coupling step";
+    }
+    else
+    {
+        Info<< "gas steps by the Courant number";
+    }
+    if (shellSteps_ > 1)
+    {
+        Info<< ", " << shellSteps_ << " steps of the shell";
+    }
+    Info<< (averages_ ? ", loads averaged" : "") << endl;
+}
+
+
+void Foam::shellCoupling::checkPatches(const dictionary& dict) const
+{
+    const auto& U = mesh_.lookupObject<pointVectorField>("U");
     for (const fePatch* patch : nodes_.patches())
     {
         const auto& pf = U.boundaryField()[patch->index];
@@ -55,7 +158,6 @@ Foam::shellCoupling::shellCoupling
                 << exit(FatalIOError);
         }
     }
-    checkStripWidth();
 }
 
 
@@ -124,29 +226,11 @@ void Foam::shellCoupling::findMap
 }
 
 
-void Foam::shellCoupling::advanceShell(const scalar duration)
-{
-    vectorField forces;
-    positionalShell::Vector load;
-    {
-        phaseTimes::timer timer(times_, phaseTimes::transfer);
-        forces = nodes_.pressureForces(gas_, pRef_);
-        load = map_->generalisedForce(forces);
-        balance_.begin(sum(forces), interfaceMap::resultant(load), duration);
-    }
-    const positionalShell::Vector before = shell_->state().position;
-    {
-        phaseTimes::timer timer(times_, phaseTimes::shell);
-        shell_->advance(duration, load);
-    }
-    balance_.addShell(load.dot(shell_->state().position - before));
-}
-
-
 void Foam::shellCoupling::report()
 {
     shell_->report();
     balance_.report(time_);
+    indicators_.report(moves());
     fluidShellCoupling::report();
 }
 
@@ -155,8 +239,7 @@ void Foam::shellCoupling::reportEnd()
 {
     Info<< nl;
     shell_->reportEnd();
-    Info<< "Interface: work given by the gas " << balance_.workGas()
-        << " J, received by the shell " << balance_.workShell()
-        << " J, relative mismatch " << balance_.mismatch() << nl;
+    balance_.reportEnd();
+    indicators_.reportEnd(moves(), leastMassRatio(), meanIterations());
     fluidShellCoupling::reportEnd();
 }

@@ -11,6 +11,7 @@
 #include "BlastWave.hpp"
 #include "BodyForce.hpp"
 #include "EdgeLoad.hpp"
+#include "ElasticFoundation.hpp"
 #include "FollowerPressure.hpp"
 #include "NodalLoad.hpp"
 #include "SurfaceTraction.hpp"
@@ -178,6 +179,18 @@ static const std::map<word, loadType>& loadTypes()
                     nodeSet(dict),
                     vec3OrZero(dict, "force"),
                     vec3OrZero(dict, "moment"),
+                    factor
+                );
+            }}},
+        {"elasticFoundation", {{"elementSet", "stiffness", "direction"},
+            [](const Model& model, Dict dict, Factor factor) -> LoadPtr
+            {
+                return std::make_shared<ElasticFoundation>
+                (
+                    model,
+                    elementSet(dict),
+                    dict.get<scalar>("stiffness"),
+                    vec3OrZero(dict, "direction"),
                     factor
                 );
             }}},

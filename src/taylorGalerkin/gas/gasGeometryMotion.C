@@ -141,6 +141,23 @@ void Foam::gasGeometry<dim>::end()
 }
 
 
+template<int dim>
+void Foam::gasGeometry<dim>::store(instant& i) const
+{
+    i.nodes = mesh_.nodes();
+    i.parts = parts(*this);
+}
+
+
+template<int dim>
+void Foam::gasGeometry<dim>::restore(const instant& i)
+{
+    moving_ = false;
+    mesh_.moveNodes(i.nodes);
+    parts(*this) = i.parts;
+}
+
+
 template class Foam::gasGeometry<1>;
 template class Foam::gasGeometry<2>;
 template class Foam::gasGeometry<3>;

@@ -58,6 +58,37 @@ void Foam::gasSolver<dim>::writeState()
 
 
 template<int dim>
+void Foam::gasSolver<dim>::storeOldState()
+{
+    old_.rows = state_.rows;
+    old_.time = stateTime_;
+    geometry_.store(old_.geometry);
+    boundary_.storeOldState();
+}
+
+
+template<int dim>
+void Foam::gasSolver<dim>::restoreOldState()
+{
+    if (old_.rows.empty())
+    {
+        FatalErrorInFunction
+            << "There is no stored state of the gas to go back to"
+            << abort(FatalError);
+    }
+    state_.rows = old_.rows;
+    stateTime_ = old_.time;
+    geometry_.restore(old_.geometry);
+    boundary_.restoreOldState();
+
+    // Sums, viscosities and the stable step are found again. What has woken
+    // since stays awake, which changes no bit (quiescentZones)
+    rates_.clear();
+    stableIsUpToDate_ = false;
+}
+
+
+template<int dim>
 Foam::tmp<Foam::vectorField> Foam::gasSolver<dim>::pressureForces
 (
     const fePatch& patch,
@@ -130,7 +161,8 @@ Foam::gasTotals Foam::gasSolver<dim>::totals() const
 template<int dim>
 Foam::gasExtrema Foam::gasSolver<dim>::extrema() const
 {
-    gasExtrema e{GREAT, -GREAT, GREAT, -GREAT, GREAT, -GREAT};
+    gasExtrema e{GREAT, -GREAT, GREAT, -GREAT, GREAT, -GREAT, 0};
+    scalar square = 0;
     auto take = [&](const scalar p, const scalar rho)
     {
         const scalar T = state_.eos.temperature(p, rho);
@@ -146,6 +178,7 @@ Foam::gasExtrema Foam::gasSolver<dim>::extrema() const
         for (label a = r.from; a < r.to && a < mesh_.nNodes(); ++a)
         {
             take(state_.p(a), state_.rho(a));
+            square = max(square, state_.velocity(a).squaredNorm());
         }
     }
     if (geometry_.active().nAsleep() && zones_.sleeping())
@@ -157,7 +190,8 @@ Foam::gasExtrema Foam::gasSolver<dim>::extrema() const
     {
         reduce(*least, minOp<scalar>());
     }
-    for (scalar* largest : {&e.maxP, &e.maxRho, &e.maxT})
+    e.maxSpeed = std::sqrt(square);
+    for (scalar* largest : {&e.maxP, &e.maxRho, &e.maxT, &e.maxSpeed})
     {
         reduce(*largest, maxOp<scalar>());
     }

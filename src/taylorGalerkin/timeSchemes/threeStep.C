@@ -227,6 +227,12 @@ void Foam::threeStep<dim>::step
 )
 {
     rates.compute(geometry, boundary, state, dt);
+
+    // The walls' constraint on the new momentum takes the present density
+    for (label a = 0; a < geometry.nNodes(); ++a)
+    {
+        newU_[a] = state.conserved(a);
+    }
     std::fill(residual_.begin(), residual_.end(), uniformRow(0));
     boundary.addFluxes(dt, residual_);
     boundary.addSources(state, dt, residual_);

@@ -3,6 +3,7 @@
 #include "BlastWave.hpp"
 #include "BodyForce.hpp"
 #include "EdgeLoad.hpp"
+#include "ElasticFoundation.hpp"
 #include "FollowerPressure.hpp"
 #include "NodalLoad.hpp"
 #include "ShellTestModels.hpp"
@@ -278,4 +279,51 @@ TEST(BlastWave, loadsWhatTheFrontHasPassed)
     const FollowerPressure load(plate, "all", front);
     const Vec3 total = resultant(forceOf(load, plate, mesh.initialPositions(), 1));
     EXPECT_NEAR(total[2], -3, 0.02);
+}
+
+TEST(Loads, elasticFoundationPullsBackWhatHasMoved)
+{
+    const Patch patch;
+    const Vector q0 = patch.mesh.initialPositions();
+    const double k = 3;
+    const ElasticFoundation all(patch.model, "all", k);
+    const ElasticFoundation along(patch.model, "all", k, {0, 0, 2});
+
+    // A translation: area times stiffness, whatever the shape
+    Vector q = q0;
+    const Vec3 shift(0.1, -0.2, 0.3);
+    for (Eigen::Index i = 0; i < q.size(); i += dofsPerNode) q.segment<3>(i) += shift;
+    const double area = patch.model.area(q0);
+    EXPECT_EQ(forceOf(all, patch.model, q0).norm(), 0);
+    EXPECT_LT((resultant(forceOf(all, patch.model, q)) + k*area*shift).norm(), 1e-13);
+    EXPECT_LT
+    (
+        (resultant(forceOf(along, patch.model, q)) + k*area*Vec3(0, 0, shift[2])).norm(), 1e-13
+    );
+    EXPECT_NE
+    (
+        errorOf([&] { ElasticFoundation(patch.model, "all", 0); }).find("positive"),
+        std::string::npos
+    );
+}
+
+TEST(Loads, elasticFoundationHasItsTangent)
+{
+    const Patch patch;
+    const Vector q = randomState(patch.mesh, 0.1, 3);
+    const Vector dq = randomVector(q.size(), 4);
+    for (const Vec3& d : {Vec3(0, 0, 0), Vec3(1, 2, -1)})
+    {
+        const ElasticFoundation load(patch.model, "all", 3, d, constant(1.5));
+        SystemMatrix K = patch.model.makeMatrix();
+        K.setZero();
+        load.addTangent(patch.model, q, 0, 0.7, K);
+        EXPECT_TRUE(K.symmetric());
+
+        // Linear in q: any difference is the derivative
+        const Vector f = 0.7
+            *(forceOf(load, patch.model, q) - forceOf(load, patch.model, Vector(q + dq)));
+        const Vector reduced = K.matrix()*patch.model.dofs().reduce(dq);
+        EXPECT_LT((reduced - patch.model.dofs().reduce(f)).norm(), 1e-12*reduced.norm());
+    }
 }
