@@ -109,29 +109,37 @@ FollowerPressure::FollowerPressure
     elements_(model.mesh().elementSet(elementSet)),
     pressure_(std::move(pressure)),
     factor_(std::move(factor)),
-    face_(face)
-{}
-
-std::vector<double> FollowerPressure::pressures
-(
-    const ShellModel& model,
-    int element,
-    double time
-) const
+    face_(face),
+    lastTime_(0)
 {
-    const double factor = factor_->value(time);
-    const Triangle& triangle = model.mesh().triangle(element);
-    std::vector<double> values;
-    for (const BasisPoint& p : basisPoints())
+    for (int e : elements_)
     {
-        Vec3 X = Vec3::Zero();
-        for (int j = 0; j < nodesPerElement; ++j)
+        const Triangle& triangle = model.mesh().triangle(e);
+        for (const BasisPoint& p : basisPoints())
         {
-            X += p.N[j]*model.mesh().nodes()[triangle[j]];
+            Vec3 X = Vec3::Zero();
+            for (int j = 0; j < nodesPerElement; ++j)
+            {
+                X += p.N[j]*model.mesh().nodes()[triangle[j]];
+            }
+            places_.push_back(X);
         }
-        values.push_back(factor*pressure_->value(X, time));
     }
-    return values;
+}
+
+const std::vector<double>& FollowerPressure::pressures(double time) const
+{
+    if (last_.empty() || time != lastTime_)
+    {
+        const double factor = factor_->value(time);
+        last_.clear();
+        for (const Vec3& X : places_)
+        {
+            last_.push_back(factor*pressure_->value(X, time));
+        }
+        lastTime_ = time;
+    }
+    return last_;
 }
 
 void FollowerPressure::addForce
@@ -142,20 +150,22 @@ void FollowerPressure::addForce
     Vector& force
 ) const
 {
-    for (int e : elements_)
+    const std::vector<BasisPoint>& basis = basisPoints();
+    const double* pressure = pressures(time).data();
+    for (std::size_t k = 0; k < elements_.size(); ++k)
     {
-        const Triangle& triangle = model.mesh().triangle(e);
-        const double arm = 0.5*model.thickness(e)*face_;
+        const Triangle& triangle = model.mesh().triangle(elements_[k]);
+        const double arm = 0.5*model.thickness(elements_[k])*face_;
         const Surface surface(triangle, q, arm);
         Eigen::Matrix<double, 3, nodesPerElement> f;
         f.setZero();
-        const std::vector<double> pressure = pressures(model, e, time);
-        for (std::size_t k = 0; k < pressure.size(); ++k)
+        for (std::size_t i = 0; i < basis.size(); ++i)
         {
-            const BasisPoint& p = basisPoints()[k];
+            const BasisPoint& p = basis[i];
+            const double weight = *pressure++*p.weight;
             const Vec3 y1 = surface.y*p.dN.col(0);
             const Vec3 y2 = surface.y*p.dN.col(1);
-            f -= (pressure[k]*p.weight*y1.cross(y2))*p.N.transpose();
+            f -= (weight*y1.cross(y2))*p.N.transpose();
         }
         for (int j = 0; j < nodesPerElement; ++j)
         {
@@ -175,24 +185,27 @@ void FollowerPressure::addTangent
     SystemMatrix& K
 ) const
 {
-    for (int e : elements_)
+    const std::vector<BasisPoint>& basis = basisPoints();
+    const double* pressure = pressures(time).data();
+    for (std::size_t k = 0; k < elements_.size(); ++k)
     {
+        const int e = elements_[k];
         const double arm = 0.5*model.thickness(e)*face_;
         const Surface surface(model.mesh().triangle(e), q, arm);
 
         // Minus df_i/dy_j, (S27)
         NodeBlocks D;
         for (auto& row : D) row.fill(Mat3::Zero());
-        const std::vector<double> pressure = pressures(model, e, time);
-        for (std::size_t k = 0; k < pressure.size(); ++k)
+        for (std::size_t l = 0; l < basis.size(); ++l)
         {
-            const BasisPoint& p = basisPoints()[k];
+            const BasisPoint& p = basis[l];
+            const double weight = factor**pressure++*p.weight;
             const Mat3 y1 = skew(surface.y*p.dN.col(0));
             const Mat3 y2 = skew(surface.y*p.dN.col(1));
             for (int j = 0; j < nodesPerElement; ++j)
             {
-                const Mat3 dArea = (factor*pressure[k]*p.weight)
-                    *(p.dN(j, 1)*y1 - p.dN(j, 0)*y2);
+                const Mat3 dArea =
+                    weight*(p.dN(j, 1)*y1 - p.dN(j, 0)*y2);
                 for (int i = 0; i < nodesPerElement; ++i)
                 {
                     D[i][j] += p.N[i]*dArea;

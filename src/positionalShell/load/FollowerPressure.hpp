@@ -6,6 +6,8 @@
 // pressure on the lower face. face 0 (default) is the mid-surface, +1 the upper
 // and -1 the lower face: there the force reaches the directors through its
 // lever arm as well.
+//
+// Keeps the pressures of the last instant: not for several threads at once.
 
 #ifndef positionalShell_FollowerPressure_hpp
 #define positionalShell_FollowerPressure_hpp
@@ -68,11 +70,15 @@ private:
     TimeFunctionPtr factor_;
     double face_;
 
-    //- At the integration points of an element
-    std::vector<double> pressures
-    (
-        const ShellModel& model, int element, double time
-    ) const;
+    //- Initial positions of the integration points, by loaded element
+    std::vector<Vec3> places_;
+
+    //- Pressures there at the last instant asked for: the same in all iterations of
+    //  a step
+    mutable double lastTime_;
+    mutable std::vector<double> last_;
+
+    const std::vector<double>& pressures(double time) const;
 
     //- K += blocks of face nodes, on positions and through the arm on directors
     static void addBlocks

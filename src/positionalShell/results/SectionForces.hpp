@@ -51,6 +51,9 @@ public:
         double lever
     );
 
+    //- Add a part of the sums at another point
+    void add(const SectionSums& other, double factor);
+
     //- G: initial base vectors of the mid-surface; stretch: length of the director
     SectionForces forces
     (

@@ -98,7 +98,13 @@ private:
         int element, const Vector& q, const Strain* gaps
     ) const;
 
-    //- Covariant strains at the nodes at a height, (R1)
+    //- Covariant strain at an area point at a height
+    Strain strainAt
+    (
+        int element, const Vector& q, const Strain* gaps, int point, double zeta
+    ) const;
+
+    //- At the nodes at a height, (R1)
     NodeStrains nodeStrains
     (
         int element, const Vector& q, const Strain* gaps, double zeta
@@ -109,11 +115,17 @@ private:
         int element, int place, const Vector& q, const Strain& e, double zeta
     ) const;
 
-    //- strains: by thickness point
+    //- Tractions through the thickness at an area point, (R5)
+    SectionSums sectionSums
+    (
+        int element, const Vector& q, const Strain* gaps, int point
+    ) const;
+
+    //- sums: by area point
     void addSection
     (
         int element, int place, const Vector& q,
-        const std::vector<NodeStrains>& strains, PointResult& result
+        const std::vector<SectionSums>& sums, PointResult& result
     ) const;
 };
 

@@ -2,6 +2,7 @@
 
 #include "ArcLength.hpp"
 #include "StaticProblem.hpp"
+#include "TangentFactors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,7 @@ ArcLength::ArcLength(const ShellModel& model, ArcLengthOptions options)
     options_(options),
     scales_(model),
     matrix_(model.makeMatrix()),
+    ties_(model.dofs()),
     weights_(lengthWeights(model))
 {
     for (const auto& p : model.dofs().prescribed())
@@ -82,11 +84,6 @@ ArcLength::ArcLength(const ShellModel& model, ArcLengthOptions options)
           + " has a prescribed motion; the path follows loads only"
         );
     }
-    require
-    (
-        model.dofs().ties().empty(),
-        "the model has a rigid tie, which is for load steps and dynamics"
-    );
     require(options.maxCuts >= 0, "maxCuts is negative");
     require(options.desiredIterations > 0, "desiredIterations is not positive");
     require(options.maxGrowth >= 1, "maxGrowth is less than 1");
@@ -100,12 +97,47 @@ double ArcLength::product(const Vector& a, const Vector& b) const
 void ArcLength::makeTangent
 (
     StaticProblem& problem,
-    const StressPrediction& stress
+    const StressPrediction& stress,
+    const Vector& residual
 )
 {
     matrix_.setZero();
     problem.addStiffness(stress, matrix_);
-    linear_.factorise(matrix_);
+    factoriseTangent
+    (
+        problem, matrix_, residual, UnsymmetricTangent::whole, linear_
+    );
+}
+
+Vector ArcLength::changes
+(
+    const StaticProblem& problem,
+    const Vector& increments
+) const
+{
+    Vector linear = increments;
+    ties_.expand(problem.position(), linear);
+    return model_.dofs().expand(linear);
+}
+
+Vector ArcLength::rate(StaticProblem& problem, double distance)
+{
+    Vector load = model_.dofs().reduce(problem.loadRate(distance));
+    ties_.project(problem.position(), load);
+    return linear_.solve(load);
+}
+
+void ArcLength::move
+(
+    StaticProblem& problem,
+    const Vector& increments,
+    double parameter
+)
+{
+    before_ = problem.position();
+    led_ = ties_.advance(before_, increments, before_, problem.unknowns());
+    if (ties_.none()) led_ = problem.position();
+    problem.setTime(problem.time() + parameter);
 }
 
 void ArcLength::predict
@@ -116,14 +148,14 @@ void ArcLength::predict
     double& length
 )
 {
-    const DofMap& dofs = model_.dofs();
-    makeTangent(problem, {problem.origin(), problem.origin()});
-    const double distance = rateDistance(problem.time(), firstIncrement);
-    const Vector rate = dofs.expand
-    (
-        linear_.solve(dofs.reduce(problem.loadRate(distance)))
-    );
-    const double perParameter = std::sqrt(product(rate, rate));
+    Vector residual;
+    KindNorms scale;
+    problem.residual(residual, scale);
+    makeTangent(problem, {problem.origin(), problem.origin()}, residual);
+    const Vector perUnit =
+        rate(problem, rateDistance(problem.time(), firstIncrement));
+    const Vector change = changes(problem, perUnit);
+    const double perParameter = std::sqrt(product(change, change));
     if (perParameter == 0)
     {
         throw std::runtime_error
@@ -134,7 +166,7 @@ void ArcLength::predict
     double parameter = firstIncrement;
     if (path.first > 0)
     {
-        const bool onwards = product(rate, path.increment) > 0;
+        const bool onwards = product(change, path.increment) > 0;
         parameter = (onwards ? 1 : -1)*length/perParameter;
     }
     else if (length == 0)
@@ -145,23 +177,22 @@ void ArcLength::predict
     {
         parameter = std::copysign(length/perParameter, firstIncrement);
     }
-    problem.unknowns() += parameter*rate;
-    problem.setTime(problem.time() + parameter);
+    move(problem, parameter*perUnit, parameter);
 }
 
-//- Residual of the present guess into the report; whether it is finite
 bool ArcLength::measure
 (
     StaticProblem& problem,
     NewtonReport& report,
+    Vector& full,
     Vector& residual
 ) const
 {
-    Vector full;
     KindNorms scale;
     problem.residual(full, scale);
     report.forceScale = scales_.completed(scale);
     residual = model_.dofs().reduce(full);
+    ties_.project(problem.position(), residual);
     report.history.emplace_back();
     report.history.back().residual = ratio
     (
@@ -176,10 +207,10 @@ NewtonReport ArcLength::correct(StaticProblem& problem, double length)
     const NewtonOptions& newton = options_.newton;
     const double tolerance = newton.residualTolerance;
     NewtonReport report;
+    Vector full;
     Vector residual;
-    Vector before = problem.origin();
     double lastIncrement = 1;
-    while (measure(problem, report, residual))
+    while (measure(problem, report, full, residual))
     {
         NewtonIteration& now = report.history.back();
         const bool atTarget =
@@ -195,27 +226,21 @@ NewtonReport ArcLength::correct(StaticProblem& problem, double length)
             return report;
         }
 
-        makeTangent(problem, {before, problem.position()});
-        before = problem.position();
+        makeTangent(problem, {before_, led_}, full);
         const Vector covered = problem.position() - problem.origin();
-        const Vector atLoad = dofs.expand(linear_.solve(residual));
-        const double distance = rateDistance(problem.time(), 1e-3);
-        const Vector rate = dofs.expand
-        (
-            linear_.solve(dofs.reduce(problem.loadRate(distance)))
-        );
+        const Vector atLoad = linear_.solve(residual);
+        const Vector perUnit = rate(problem, rateDistance(problem.time(), 1e-3));
         const double excess =
             0.5*(product(covered, covered) - length*length);
         const double parameter =
-            -(excess + product(covered, atLoad))/product(covered, rate);
-        const Vector increment = atLoad + parameter*rate;
-
-        problem.unknowns() += increment;
-        problem.setTime(problem.time() + parameter);
+            -(excess + product(covered, changes(problem, atLoad)))
+           /product(covered, changes(problem, perUnit));
+        const Vector increment = atLoad + parameter*perUnit;
+        move(problem, increment, parameter);
         now.newTangent = true;
         now.fraction = 1;
         now.factorisation = linear_.report().last;
-        now.increment = scales_.ofIncrement(dofs, dofs.pick(increment));
+        now.increment = scales_.ofIncrement(dofs, increment);
         lastIncrement = now.increment.largest();
         ++report.iterations;
         if (!(lastIncrement < 10)) break;

@@ -13,6 +13,7 @@
 #include "Load.hpp"
 #include "Newton.hpp"
 #include "ShellScales.hpp"
+#include "TieElimination.hpp"
 
 namespace positionalShell
 {
@@ -83,13 +84,31 @@ private:
     ShellScales scales_;
     LinearSolver linear_;
     SystemMatrix matrix_;
+    TieElimination ties_;
 
     //- Weights of the unknowns in the length, (N5)
     Vector weights_;
 
+    //- Positions that the last increment started from, and what they became by the
+    //  linear step
+    Vector before_;
+    Vector led_;
+
     double product(const Vector& a, const Vector& b) const;
 
-    void makeTangent(StaticProblem& problem, const StressPrediction& stress);
+    //- Factors at the present guess; its residual: full
+    void makeTangent
+    (
+        StaticProblem& problem, const StressPrediction& stress, const Vector& residual
+    );
+
+    //- Increments on equations as changes of the positions, linear, (C4)
+    Vector changes(const StaticProblem& problem, const Vector& increments) const;
+
+    //- Increments on equations with the rate of the loads, from present factors
+    Vector rate(StaticProblem& problem, double distance);
+
+    void move(StaticProblem& problem, const Vector& increments, double parameter);
 
     //- Start along the tangent of the path, (N6); sets the length of a first step
     void predict
@@ -101,9 +120,11 @@ private:
     //- Iterate to equilibrium on the arc, (N7)-(N8)
     NewtonReport correct(StaticProblem& problem, double length);
 
+    //- Residual of the present guess, full and on equations, and its place in the
+    //  report; whether it is finite
     bool measure
     (
-        StaticProblem& problem, NewtonReport& report, Vector& residual
+        StaticProblem& problem, NewtonReport& report, Vector& full, Vector& residual
     ) const;
 };
 

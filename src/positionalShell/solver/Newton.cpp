@@ -2,7 +2,7 @@
 
 #include "Newton.hpp"
 #include "NewtonRun.hpp"
-#include "TieElimination.hpp"
+#include "TangentFactors.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -105,25 +105,14 @@ void Newton::makeTangent
         problem.model().dofs(), matrix_->matrix(), problem.position()
     );
     problem.addInertia(*matrix_);
-    const TieElimination ties(problem.model().dofs());
-    if (ties.none())
-    {
-        const bool part =
-            options_.tangentUpdate == TangentUpdate::whenSlow && !symmetricPartFailed_;
-        part ? linear_.factoriseSymmetricPart(*matrix_) : linear_.factorise(*matrix_);
-    }
-    else
-    {
-        const std::vector<TieForce> points = problem.tieForces();
-        const SparseMatrix K = ties.reduced
-        (
-            problem.tieArms(), matrix_->matrix(),
-            residual, points
-        );
-        const bool symmetric =
-            matrix_->symmetric() && TieElimination::symmetric(points);
-        symmetric ? linear_.factoriseSymmetric(K) : linear_.factoriseGeneral(K);
-    }
+    const bool part =
+        options_.tangentUpdate == TangentUpdate::whenSlow && !symmetricPartFailed_;
+    factoriseTangent
+    (
+        problem, *matrix_, residual,
+        part ? UnsymmetricTangent::symmetricPart : UnsymmetricTangent::whole,
+        linear_
+    );
     factorsUsable_ = true;
 }
 

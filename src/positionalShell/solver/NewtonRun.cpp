@@ -148,19 +148,11 @@ void Newton::Run::solveForIncrement(bool newTangent)
 
 void Newton::Run::moveTo(double fraction)
 {
-    Vector& unknowns = problem_.unknowns();
-    unknowns = base_;
-    const Vector part = fraction*increment_;
-    dofs_.addExpanded(part, unknowns);
-    if (!ties_.none())
-    {
-        // Ties turn by a finite rotation, of which the linear step knows nothing
-        Vector tangent = part;
-        ties_.expand(before_, tangent);
-        linear_ = before_;
-        dofs_.addExpanded(tangent, linear_);
-        ties_.move(before_, part, base_, unknowns);
-    }
+    // Ties turn by a finite rotation, of which the linear step knows nothing
+    linear_ = ties_.advance
+    (
+        before_, fraction*increment_, base_, problem_.unknowns()
+    );
     problem_.update();
     evaluate();
 }

@@ -188,7 +188,6 @@ void TieElimination::move
     Vector& unknowns
 ) const
 {
-    if (none()) return;
     Vector after = before;
     for (const RigidTie& tie : dofs_.ties())
     {
@@ -200,6 +199,25 @@ void TieElimination::move
                 + (after - before).segment<6>(first);
         }
     }
+}
+
+Vector TieElimination::advance
+(
+    const Vector& before,
+    const Vector& increments,
+    const Vector& base,
+    Vector& unknowns
+) const
+{
+    unknowns = base;
+    dofs_.addExpanded(increments, unknowns);
+    if (none()) return {};
+    Vector tangent = increments;
+    expand(before, tangent);
+    Vector linear = before;
+    dofs_.addExpanded(tangent, linear);
+    move(before, increments, base, unknowns);
+    return linear;
 }
 
 } // namespace positionalShell

@@ -44,9 +44,11 @@ public:
     //- increments = T increments
     void expand(const Vector& arms, Vector& increments) const;
 
-    //- Unknowns of the tied nodes after finite motions. before: positions that the
-    //  increments (on equations) belong to; base: unknowns there
-    void move
+    //- Unknowns after increments on equations, those of tied nodes by finite motions.
+    //  before: positions that the increments belong to; base: unknowns there. Returns
+    //  the positions that the linear step leads to; empty without ties, where the
+    //  unknowns are changed by nothing else.
+    Vector advance
     (
         const Vector& before,
         const Vector& increments,
@@ -64,6 +66,15 @@ private:
     RigidTie::Six motion(const RigidTie& tie, const Vector& increments) const;
 
     SparseMatrix transform(const Vector& arms) const;
+
+    //- Unknowns of the tied nodes after finite motions
+    void move
+    (
+        const Vector& before,
+        const Vector& increments,
+        const Vector& base,
+        Vector& unknowns
+    ) const;
 };
 
 } // namespace positionalShell

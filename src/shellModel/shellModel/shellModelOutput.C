@@ -91,7 +91,8 @@ void Foam::shellModel::reportStep(Ostream& os) const
         << " J, of supports = " << e.supportWork
         << " J, dissipated = " << e.dissipated
         << " J, mismatch = " << e.mismatch() << " J" << nl
-        << "Shell: reaction = " << reactions().back().force << " N" << endl;
+        << "Shell: reaction = " << reaction("total", "all", Zero).force
+        << " N" << endl;
 }
 
 
@@ -107,26 +108,32 @@ Foam::wordList Foam::shellModel::reactionNames() const
 }
 
 
+Foam::shellReaction Foam::shellModel::reaction
+(
+    const word& name,
+    const word& nodeSet,
+    const vector& about
+) const
+{
+    const positionalShell::ResultantForce sum
+    (
+        positionalShell::resultant
+        (
+            mesh().nodeSet(nodeSet),
+            now_.state.position,
+            now_.account->reaction(),
+            toShell(about)
+        )
+    );
+    return shellReaction{name, toFoam(sum.force), toFoam(sum.moment)};
+}
+
+
 std::vector<Foam::shellReaction> Foam::shellModel::reactions
 (
     const vector& about
 ) const
 {
-    const auto over = [&](const word& name, const word& nodeSet)
-    {
-        const positionalShell::ResultantForce sum
-        (
-            positionalShell::resultant
-            (
-                mesh().nodeSet(nodeSet),
-                now_.state.position,
-                now_.account->reaction(),
-                toShell(about)
-            )
-        );
-        return shellReaction{name, toFoam(sum.force), toFoam(sum.moment)};
-    };
-
     std::vector<shellReaction> result;
     if (!now_.account)
     {
@@ -134,9 +141,9 @@ std::vector<Foam::shellReaction> Foam::shellModel::reactions
     }
     for (const auto& s : supportSets(properties_.subDict("constraints")))
     {
-        result.push_back(over(s.first, s.second));
+        result.push_back(reaction(s.first, s.second, about));
     }
-    result.push_back(over("total", "all"));
+    result.push_back(reaction("total", "all", about));
     return result;
 }
 

@@ -2,7 +2,6 @@
 //
 // Rigid ties in statics: geometry, elimination and its tangent, loads at the point.
 
-#include "ArcLength.hpp"
 #include "EdgeLoad.hpp"
 #include "EigenFrequencies.hpp"
 #include "Reactions.hpp"
@@ -51,9 +50,8 @@ struct TiedPatch
     //- The state after increments on equations
     Vector moved(const Vector& q, const Vector& increments) const
     {
-        Vector after = q;
-        model.dofs().addExpanded(increments, after);
-        ties.move(q, increments, q, after);
+        Vector after;
+        ties.advance(q, increments, q, after);
         return after;
     }
 
@@ -389,5 +387,4 @@ TEST(RigidTie, wrongTiesAreNamed)
         errorOf([&] { TieLoad(model, "uMin", Vec3::Zero(), Vec3::Zero()); }),
         "load on a rigid tie: no tie has the node set uMin; those of ties are: uMax"
     );
-    EXPECT_NE(errorOf([&] { ArcLength path(model); }).find("rigid tie"), std::string::npos);
 }

@@ -7,18 +7,14 @@ r"""Runs the gas benchmarks and writes their results into doc/verification.md.
 The rows of the tests that ran replace all those between the two marks of the
 page; tests that fail have a row too. The exit code is pytest's.
 """
-import json
-import os
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-PROJECT = HERE.parents[2]
-PAGE = PROJECT / "doc" / "verification.md"
-BEGIN = "<!-- gasBenchmarks: written by writeTable.py -->"
-END = "<!-- gasBenchmarks: end -->"
+sys.path.insert(0, str(HERE.parents[1] / "tools"))
+
+from resultPage import writePage  # noqa: E402
+
 COLUMNS = {
     "case": "case", "mesh": "mesh", "quantity": "quantity", "ours": "ours",
     "order": "observed order", "bound": "bound", "reference": "reference",
@@ -37,26 +33,5 @@ def lines(rows):
                 yield "| " + " | ".join(row[c] for c in COLUMNS) + " |"
 
 
-def main():
-    arguments = ["--long" if a == "-long" else a for a in sys.argv[1:]]
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "rows"
-        file.touch()
-        code = subprocess.run(
-            [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider",
-             HERE, *arguments],
-            cwd=PROJECT / "tests",
-            env={**os.environ, "SHOCKSHELL_TABLE": str(file)},
-        ).returncode
-        rows = [json.loads(line) for line in file.read_text().splitlines()]
-    if not rows:
-        sys.exit(f"no rows; pytest ended with {code}")
-    before, rest = PAGE.read_text().split(BEGIN)
-    after = rest.split(END)[1]
-    PAGE.write_text(
-        before + BEGIN + "\n" + "\n".join(lines(rows)) + "\n\n" + END + after)
-    sys.exit(code)
-
-
 if __name__ == "__main__":
-    main()
+    sys.exit(writePage("gasBenchmarks", lines, [HERE]))

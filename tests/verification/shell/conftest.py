@@ -41,6 +41,13 @@ class Table:
             error = 100*(value/reference - 1)
             assert abs(error) <= bound, f"{case}, {mesh}: {error:.3f} %"
 
+    def below(self, case, meshes, quantity, errors, source, bounds):
+        """A row of errors in percent, and each of them within its bound."""
+        self.add(case, meshes, quantity, errors, 0, source,
+                 " ".join(f"{b:g} %" for b in bounds))
+        for mesh, error, bound in zip(meshes, errors, bounds):
+            assert error <= bound, f"{case}, {mesh}: {error:.3f} %"
+
 
 @pytest.fixture
 def table(request):

@@ -6,6 +6,8 @@ displacements read back.
     case = ShellCase(folder, mesh, sections, constraints)
     u = case.solve(loads, steps=10)
     u[case.mesh.node("uMaxvMax")]
+
+and its frequencies and paths through limit points.
 """
 import numpy as np
 
@@ -90,12 +92,12 @@ def entries(dictionary, indent=0):
     return text
 
 
-def isotropic(E, nu, thickness):
+def isotropic(E, nu, thickness, rho=1):
     """Section of all elements."""
     return {"all": {
         "thickness": thickness,
         "material": {"type": "SaintVenantKirchhoff", "E": E, "nu": nu,
-                     "rho": 1},
+                     "rho": rho},
     }}
 
 
@@ -142,21 +144,55 @@ class ShellCase:
         self.write("constant/shell/nodeSets", "dictionary", "".join(
             f"{name} {labels(nodes)};\n" for name, nodes in mesh.sets.items()))
 
-    def solve(self, loads, steps=1, newton=None):
-        """Displacements of all nodes under the whole load."""
-        self.writeMesh()
-        properties = {**self.properties, "loads": loads}
-        if newton:
-            properties["newton"] = newton
-        self.write("constant/shellProperties", "dictionary",
-                   entries(properties))
+    def control(self, **entriesOfControl):
         self.write("system/controlDict", "dictionary", entries({
             "application": "positionalShellFoam", "startFrom": "startTime",
-            "startTime": 0, "stopAt": "endTime", "endTime": 1,
-            "deltaT": repr(1/steps), "writeControl": "timeStep",
-            "writeInterval": steps, "writeFormat": "ascii",
+            "startTime": 0, "stopAt": "endTime", "endTime": 1, "deltaT": 1,
+            "writeControl": "timeStep", "writeFormat": "ascii",
             "writePrecision": 12, "timeFormat": "general",
+            "timePrecision": 12, **entriesOfControl,
         }))
-        case = FoamCase(self.folder/"source", self.folder/"case")
-        self.log = case.run("positionalShellFoam")
-        return readState(case, 1)["position"] - self.mesh.nodes
+
+    def begin(self, loads, **properties):
+        """The case without its controlDict."""
+        self.writeMesh()
+        self.write("constant/shellProperties", "dictionary",
+                   entries({**self.properties, "loads": loads, **properties}))
+
+    def start(self, *options):
+        self.case = FoamCase(self.folder/"source", self.folder/"case")
+        self.log = self.case.run("positionalShellFoam", *options)
+
+    def solve(self, loads, steps=1, newton=None, endTime=1):
+        """Displacements of all nodes; loads that ramp are whole at 1."""
+        self.begin(loads, **({"newton": newton} if newton else {}))
+        self.control(endTime=endTime, deltaT=repr(endTime/steps),
+                     writeInterval=steps)
+        self.start()
+        return readState(self.case, endTime)["position"] - self.mesh.nodes
+
+    def frequencies(self, number, shift=None):
+        """The lowest frequencies [Hz]; shift as the program's."""
+        self.begin({})
+        self.control(writeInterval=1)
+        self.start("-modes", number, *(("-shift", shift) if shift else ()))
+        lines = self.log.split("Shell frequencies [Hz]")[1].splitlines()
+        return [float(line.split()[1]) for line in lines[1:number + 1]]
+
+    def path(self, loads, first, steps, points, **coeffs):
+        """Load parameters and displacements of points along a path by arc
+        length: arrays (step), (step, point, component), from the start."""
+        self.begin(loads, staticMethod="arcLength", arcLengthCoeffs=coeffs)
+        text = " ".join("(%.17g %.17g %.17g)" % tuple(p) for p in points)
+        self.control(endTime=repr(first*steps), deltaT=repr(first),
+                     writeInterval=steps, functions={"points": {
+                         "type": "shellProbes",
+                         "libs": "(shockShellFunctionObjects)",
+                         "points": f"({text})",
+                         "fields": "(displacement)", "writePrecision": 12}})
+        self.start()
+        _, rows = self.case.history("points/0/displacement.dat")
+        loads = [float(line.split("=")[1]) for line in self.log.splitlines()
+                 if "load parameter =" in line]
+        u = rows[:, 1:].reshape(len(rows), len(points), 3)
+        return np.insert(loads, 0, 0), np.insert(u, 0, 0, axis=0)

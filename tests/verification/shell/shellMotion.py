@@ -1,10 +1,33 @@
 """Dynamic benchmarks as cases: meshes of several surfaces, and their motion."""
+from pathlib import Path
+
 import numpy as np
 
-from foamCase import FoamCase
-from shellCase import ShellCase, entries
+from shellCase import ShellCase
 
+HERE = Path(__file__).resolve().parent
 TABLES = "shockShellFunctionObjects"
+
+
+def reference(name):
+    """Rows of a table of reference/: times and deflections."""
+    rows = []
+    for line in (HERE / "reference" / name).read_text().splitlines():
+        try:
+            rows.append([float(v) for v in line.split(",")])
+        except ValueError:
+            assert line.startswith(("#", "t,")), line
+    return np.array(rows)
+
+
+def greatestDifference(times, computed, table, until):
+    """Of the columns (time, column) from those of a reference up to a time, in
+    percent of the reference's greatest value; both from rest."""
+    table = table[table[:, 0] <= until*(1 + 1e-9)]
+    found = np.stack([
+        np.interp(table[:, 0], np.insert(times, 0, 0), np.insert(c, 0, 0))
+        for c in computed.T], axis=-1)
+    return 100*abs(found - table[:, 1:]).max()/abs(table[:, 1:]).max()
 
 
 class Joined:
@@ -38,13 +61,8 @@ class MovingCase(ShellCase):
     def march(self, loads, endTime, deltaT, integrator="Newmark", points=(),
               newton=None):
         """Displacements of the points: times, (time, point, component)."""
-        self.writeMesh()
-        properties = {**self.properties, "analysis": "dynamic",
-                      "timeIntegrator": integrator, "loads": loads}
-        if newton:
-            properties["newton"] = newton
-        self.write("constant/shellProperties", "dictionary",
-                   entries(properties))
+        self.begin(loads, analysis="dynamic", timeIntegrator=integrator,
+                   **({"newton": newton} if newton else {}))
         functions = {"energies": {
             "type": "shellEnergyTable", "libs": (TABLES,),
             "writePrecision": 16}}
@@ -54,16 +72,9 @@ class MovingCase(ShellCase):
                 "type": "shellProbes", "libs": (TABLES,),
                 "points": f"({text})", "fields": ("displacement",)}
         steps = round(endTime/deltaT)
-        self.write("system/controlDict", "dictionary", entries({
-            "application": "positionalShellFoam", "startFrom": "startTime",
-            "startTime": 0, "stopAt": "endTime", "endTime": endTime,
-            "deltaT": deltaT, "writeControl": "timeStep",
-            "writeInterval": steps, "writeFormat": "ascii",
-            "writePrecision": 12, "timeFormat": "general",
-            "timePrecision": 12, "functions": functions,
-        }))
-        self.case = FoamCase(self.folder/"source", self.folder/"case")
-        self.log = self.case.run("positionalShellFoam")
+        self.control(endTime=endTime, deltaT=deltaT, writeInterval=steps,
+                     functions=functions)
+        self.start()
         if not points:
             return None
         _, rows = self.case.history("probes/0/displacement.dat")

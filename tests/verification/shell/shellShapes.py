@@ -24,6 +24,15 @@ def skewPlate(n, side, degrees):
         lambda u, v: stacked(0*u, 0*u, 1 + 0*u))
 
 
+def annulus(nU, nV, inner, outer, degrees):
+    """Plane ring sector, angle u from the x-axis, radius v."""
+    def position(u, v):
+        angle, r = np.radians(degrees)*u, inner + (outer - inner)*v
+        return stacked(r*np.cos(angle), r*np.sin(angle), 0*u)
+    return Surface(nU, nV, position,
+                   lambda u, v: stacked(0*u, 0*u, -1 + 0*u))
+
+
 def cylinder(nU, nV, radius, length, degrees):
     """Angle u from the z-axis towards x, axis along y (v)."""
     def normal(u, v):

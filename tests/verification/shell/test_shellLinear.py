@@ -175,3 +175,34 @@ def test_skewPlate(tmp_path, table, degrees, reference, bounds):
     table.check(f"skew plate, {degrees} degrees, simply supported", meshes,
                 "deflection of the middle", ours, reference, "Morley 1963",
                 bounds)
+
+
+def orthotropicPlate(folder, n):
+    """Hard simply supported square plate, stiff along x; w at the middle."""
+    E1, E2, G, nu12, h = 25e6, 1e6, 0.5e6, 0.25, 1e-3
+    section = {"all": {"thickness": h, "material": {
+        "type": "orthotropic", "E1": E1, "E2": E2, "E3": E2, "nu12": nu12,
+        "nu13": nu12, "nu23": nu12, "G12": G, "G13": G, "G23": 0.2e6,
+        "rho": 1, "axis": X}}}
+    case = ShellCase(folder, plate(n, n, 0.5, 0.5), section, {
+        "x": symmetry("uMax", X), "y": symmetry("vMax", Y),
+        "edgeX": fixed("uMin", "z", "y", "gy"),
+        "edgeY": fixed("vMin", "z", "x", "gx")})
+    part = h**3/12/(1 - nu12**2*E2/E1)
+    D1, D2, D3 = E1*part, E2*part, nu12*E2*part + 2*G*h**3/12
+    q = 1e-9
+    exact = sum(
+        16*q/np.pi**6/(m*k)*np.sin(m*np.pi/2)*np.sin(k*np.pi/2)
+        / (D1*m**4 + 2*D3*m**2*k**2 + D2*k**4)
+        for m in range(1, 200, 2) for k in range(1, 200, 2))
+    u = case.solve(surface((0, 0, q)))
+    return u[case.mesh.node("uMaxvMax"), 2]/exact
+
+
+def test_orthotropicPlate(tmp_path, table):
+    meshes = [1, 2, 4]
+    ours = [orthotropicPlate(tmp_path/str(n), n) for n in meshes]
+    # source: Navier's series for Kirchhoff's orthotropic plate; t/a = 0.001
+    table.check("orthotropic square plate, E1/E2 25, simply supported", meshes,
+                "deflection of the middle over the series", ours, 1.,
+                "Navier", (9, 1, 0.2))

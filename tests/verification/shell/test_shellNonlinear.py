@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from shellCase import ShellCase, fixed, force, isotropic, ramp, symmetry
-from shellShapes import cylinder, plate, sphere
+from shellShapes import annulus, cylinder, plate, sphere
 
 X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 
@@ -94,22 +94,103 @@ def test_pinchedHemisphereOnFinerMeshes(tmp_path, table):
     checkHemisphere(tmp_path, table, [8, 10, 12], 25, (1.5, 1, 1))
 
 
-def pullOut(folder, n, steps):
-    mesh = cylinder(n, n, 4.953, 10.35/2, 90)
+def pulledCylinder(folder, n):
+    mesh = cylinder(*n, 4.953, 10.35/2, 90)
     case = ShellCase(folder, mesh, isotropic(10.5e6, 0.3125, 0.094),
                      {"middle": symmetry("vMin", Y),
                       "top": symmetry("uMin", X), "side": symmetry("uMax", Z)})
-    u = case.solve({"pull": force("uMinvMin", (0, 0, 5000))}, steps=steps)
-    return (u[mesh.node("uMinvMin"), 2], -u[mesh.node("uMaxvMin"), 0],
-            -u[mesh.node("uMaxvMax"), 0])
+    corners = [mesh.node(c) for c in ("uMinvMin", "uMaxvMin", "uMaxvMax")]
+    return case, corners, {"pull": force("uMinvMin", (0, 0, 10000))}
 
 
-def test_pullOut(tmp_path, table):
-    """Until shortly before the shell snaps, at 0.50 to 0.525 of 40 kN."""
-    meshes = [4, 6, 8]
-    ours = np.array([pullOut(tmp_path/str(n), n, 20) for n in meshes])
-    # source: Sze (2004), 3.5, mesh 24 x 36, at half the load
-    for k, (quantity, reference) in enumerate([
-            ("W at A", 2.473), ("-U at B", 3.653), ("-U at C", 3.718)]):
-        table.check("pull-out of an open cylinder, 20 kN", meshes, quantity,
-                    ours[:, k], reference, "Sze 3.5", (3, 1.5, 1))
+def signed(u):
+    """W at A, -U at B, -U at C, from displacements there."""
+    return u[..., 0, 2], -u[..., 1, 0], -u[..., 2, 0]
+
+
+def halfPulled(folder, n):
+    """By load steps, until the shell is about to snap."""
+    case, corners, loads = pulledCylinder(folder, n)
+    return signed(case.solve(loads, steps=40, endTime=0.5)[corners])
+
+
+def fullyPulled(folder, n):
+    """By arc length, past the snap."""
+    case, corners, loads = pulledCylinder(folder, n)
+    p, u = case.path(loads, 0.004, 34, case.mesh.nodes[corners], maxGrowth=1)
+    return [whole(p, values) for values in signed(u)]
+
+
+def whole(p, values):
+    """Where a path first comes to the whole load, by a cubic in the load."""
+    k = int(np.argmax(p >= 1))
+    assert k > 0, "the path ends too soon"
+    near = slice(k - 2, k + 2)
+    return np.polyval(np.polyfit(p[near] - 1, values[near], 3), 0)
+
+
+# source: Sze (2004), 3.5, mesh 36 x 24, at half the load and at the whole; the
+# shell snaps between the two, at 0.50 to 0.525 of 40 kN
+@pytest.mark.parametrize("load,pull,meshes,references,bounds", [
+    ("20 kN", halfPulled, [(4, 4), (6, 6), (8, 8)], (2.473, 3.653, 3.718),
+     (3, 1.5, 1)),
+    ("40 kN", fullyPulled, [(6, 4), (8, 6)], (2.768, 4.551, 3.269), (3, 2)),
+    pytest.param(
+        "40 kN", fullyPulled, [(6, 4), (9, 6), (12, 8)],
+        (2.768, 4.551, 3.269), (3, 2, 1), marks=pytest.mark.long),
+])
+def test_pullOut(tmp_path, table, load, pull, meshes, references, bounds):
+    ours = np.array([pull(tmp_path/f"{i}", n) for i, n in enumerate(meshes)])
+    for k, quantity in enumerate(("W at A", "-U at B", "-U at C")):
+        table.check(f"pull-out of an open cylinder, {load}",
+                    [f"{a} x {b}" for a, b in meshes], quantity, ours[:, k],
+                    references[k], "Sze 3.5", bounds)
+
+
+def slitAnnulus(folder, n):
+    """Held at one side of the slit, lifted at the other: W inside, outside."""
+    nU, nV = n
+    mesh = annulus(nU, nV, 6, 10, 360)
+    case = ShellCase(folder, mesh, isotropic(21e6, 0, 0.03),
+                     {"slit": {"type": "clamped", "nodeSet": "uMin"}})
+    u = case.solve({"lift": ramp({"type": "edge", "nodeSet": "uMax",
+                                  "forcePerLength": (0, 0, 0.8)})}, steps=20)
+    return u[mesh.node("uMaxvMin"), 2], u[mesh.node("uMaxvMax"), 2]
+
+
+def test_slitAnnulus(tmp_path, table):
+    meshes = [(8, 1), (12, 2), (16, 2)]
+    ours = np.array([slitAnnulus(tmp_path/str(i), n)
+                     for i, n in enumerate(meshes)])
+    # source: Sze (2004), 3.3, mesh 80 x 10, as in MBDyn's sze33_ref.dat
+    for k, (quantity, reference) in enumerate([("W inside", 13.891),
+                                               ("W outside", 17.528)]):
+        table.check("slit annular plate, 0.8 per length",
+                    [f"{a} x {b}" for a, b in meshes], quantity, ours[:, k],
+                    reference, "Sze 3.3", (5, 1.5, 1))
+
+
+def pinchedCylinder(folder, n):
+    """By arc length: coarse meshes snap from wrinkle to wrinkle."""
+    mesh = cylinder(n, n, 100, 100, 90)
+    case = ShellCase(folder, mesh, isotropic(30e3, 0.3, 1),
+                     {"diaphragm": fixed("vMax", "x", "z", "gx", "gz"),
+                      "middle": symmetry("vMin", Y),
+                      "top": symmetry("uMin", X), "side": symmetry("uMax", Z)})
+    corners = [mesh.node(c) for c in ("uMinvMin", "uMaxvMin")]
+    p, u = case.path({"pinch": force("uMinvMin", (0, 0, -3000))}, 0.01, 60,
+                     mesh.nodes[corners], maxGrowth=2)
+    return whole(p, -u[:, 0, 2]), whole(p, u[:, 1, 0])
+
+
+@pytest.mark.parametrize("meshes,bounds", [
+    ([4, 6], (50, 20)),
+    pytest.param([8, 12, 16], (5, 2, 1), marks=pytest.mark.long),
+])
+def test_pinchedCylinder(tmp_path, table, meshes, bounds):
+    ours = np.array([pinchedCylinder(tmp_path/str(n), n) for n in meshes])
+    # source: Sze (2004), 3.6, mesh 48 x 48
+    for k, (quantity, reference) in enumerate([("-W under the load", 83.102),
+                                               ("U at the side", 34.272)]):
+        table.check("pinched cylinder, 12000", meshes, quantity, ours[:, k],
+                    reference, "Sze 3.6", bounds)

@@ -24,7 +24,7 @@ Foam::shellIntegrators::arcLength::arcLength
     const dictionary& shellProperties
 )
 :
-    model_(model)
+    staticIntegrator(model)
 {
     const dictionary coeffs(coeffsDict(shellProperties, "arcLength"));
     checkKeywords(coeffs, {"desiredIterations", "maxGrowth"});
@@ -46,24 +46,14 @@ Foam::shellIntegrators::arcLength::advance
     positionalShell::Vector& memory
 )
 {
-    const positionalShell::ArcLengthStep found =
-        solver_->step(start, dt, loads, memory, given.end);
-
-    positionalShell::DynamicStep result;
-    result.converged = found.converged;
-    result.state = found.state;
-    result.report = found.report;
-    result.externalForce =
-        totalForce(loads, model_, found.state.position, found.state.time);
-    if (given.end)
-    {
-        result.externalForce += *given.end;
-    }
-    return {result};
+    return finished
+    (
+        solver_->step(start, dt, loads, memory, given.end), loads, given
+    );
 }
 
 
 void Foam::shellIntegrators::arcLength::reset()
 {
-    solver_.reset(new positionalShell::ArcLength(model_, options_));
+    solver_.reset(new positionalShell::ArcLength(model(), options_));
 }

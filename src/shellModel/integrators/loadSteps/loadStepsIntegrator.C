@@ -22,7 +22,7 @@ Foam::shellIntegrators::loadSteps::loadSteps
     const dictionary& shellProperties
 )
 :
-    model_(model),
+    staticIntegrator(model),
     options_
     (
         readNewtonControls(shellProperties, positionalShell::NewtonOptions()),
@@ -43,24 +43,14 @@ Foam::shellIntegrators::loadSteps::advance
     positionalShell::Vector&
 )
 {
-    const positionalShell::StaticStep found =
-        solver_->step(start, start.time + dt, loads, given.end);
-
-    positionalShell::DynamicStep result;
-    result.converged = found.converged;
-    result.state = found.state;
-    result.report = found.report;
-    result.externalForce =
-        totalForce(loads, model_, found.state.position, found.state.time);
-    if (given.end)
-    {
-        result.externalForce += *given.end;
-    }
-    return {result};
+    return finished
+    (
+        solver_->step(start, start.time + dt, loads, given.end), loads, given
+    );
 }
 
 
 void Foam::shellIntegrators::loadSteps::reset()
 {
-    solver_.reset(new positionalShell::StaticSolver(model_, options_));
+    solver_.reset(new positionalShell::StaticSolver(model(), options_));
 }
