@@ -137,7 +137,7 @@ def prepared(tmp_path_factory):
     ("constant/couplingProperties", "loadTransfer", "nearest",
      ["nearest", "consistent"]),
     ("constant/shellProperties", "sections/panel/thickness", "1e-4",
-     ["is not on the shell", "thickness"]),
+     ["not on the shell", "element", "of all", "thickness"]),
     ("0/pointDisplacement", "boundaryField/panel/type", "zeroGradient",
      ["pointDisplacement", "panel", "fixedValue"]),
     ("constant/dynamicMeshDict", "solver", "inverseDistanc",
