@@ -15,7 +15,8 @@ PROJECT = Path(__file__).resolve().parents[3]
 BLOCK = PROJECT / "tutorials" / "meshMotion" / "slidingBlock"
 DICT = "constant/dynamicMeshDict"
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "gas"))
+for folder in ("gas", "gasSchemes"):
+    sys.path.insert(0, str(Path(__file__).parents[1] / folder))
 
 from pistonBox import PistonBox  # noqa: E402
 
