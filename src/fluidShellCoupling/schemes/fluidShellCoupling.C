@@ -64,7 +64,7 @@ Foam::autoPtr<Foam::fluidShellCoupling> Foam::fluidShellCoupling::New
         dict,
         {
             "coupling", "patches", "subCycles", "shellSteps", "loads",
-            "loadTransfer", "pRef", "mapTolerance"
+            "loadTransfer", "pRef", "mapTolerance", "adviceTolerance"
         }
     );
     const wordList schemes(shellCoupling::schemes());
