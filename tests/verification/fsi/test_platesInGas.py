@@ -88,6 +88,43 @@ def test_shockOnPlate(tmp_path, name):
         assert 1e3 * t[x.argmax()] == pytest.approx(1.550, rel=3e-3)
 
 
+# A weak blast on a free-standing plate: the impulse that it takes
+
+@pytest.mark.parametrize("psi", (0.3, 2.0))
+def test_blastOnFreeStandingPlate(tmp_path, psi):
+    """A pulse p exp(-t/theta) in the acoustic limit; psi = rho c theta/m.
+
+    source: Taylor (1941), reprinted in Scientific Papers III, eq. for a plate
+    free to move: m v' + rho c v = 2 p exp(-t/theta), of which the largest
+    momentum is 2 p theta psi^(psi/(1 - psi)).
+    """
+    peak, c = 1e-3 * P0, soundSpeed(T0)
+    impedance = P0 / (R * T0) * c
+    theta = 2e-4
+    mass = impedance * theta / psi
+    front = -0.05
+
+    def pulse(x):
+        p = np.where(x < front, peak * np.exp((x - front) / (c * theta)), 0)
+        # Isentropic to first order
+        return (P0 + p, p / impedance,
+                T0 * (1 + (GAMMA - 1) / GAMMA * p / P0))
+
+    case = PlateInGas(tmp_path / "case", mass, front=Gas(0.8, 1600, pulse))
+    case.couple("predictedMotion", pRef=P0)
+    t, _, v = case.runTo(1e-3, deltaT=1e-6).motion()
+
+    largest = 2 * peak * theta * psi**(psi / (1 - psi))
+    assert mass * v.max() == pytest.approx(largest, rel=5e-3)
+    arrival = (-THICKNESS / 2 - front) / c
+    s = (t - arrival) / theta
+    exact = 2 * peak * theta / (mass * (1 - psi)) * (
+        np.exp(-psi * s) - np.exp(-s))
+    # Behind the front, which some cells smear
+    after = s > 0.2
+    assert abs(v - exact)[after].max() < 0.01 * exact.max()
+
+
 # Closed chamber with a spring piston
 # source: Lefrancois & Boufflet, SIAM Review 52 (2010) 747: L0 = 1 m, A = 1 m2,
 # U0 = 0.2 m, 1e5 Pa and 300 K at L0, expanded isentropically, k = 1e7 N/m
