@@ -25,10 +25,20 @@ Foam::fixedPoint::Vector Foam::fixedPoint::leastSquares() const
     {
         V.col(j) = residuals_[j] - r;
         W.col(j) = results_[j] - g;
+        const scalar size = V.col(j).norm();
+        if (size > 0)
+        {
+            V.col(j) /= size;
+            W.col(j) /= size;
+        }
     }
 
-    // Pivoting leaves out passes that add nothing to the others
-    const Vector c = V.colPivHouseholderQr().solve(-r);
+    // Passes whose direction is that of others to half of the digits are left
+    // out: what they add is rounding
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+    qr.setThreshold(Foam::sqrt(SMALL));
+    qr.compute(V);
+    const Vector c = qr.solve(-r);
     return g + W*c;
 }
 

@@ -61,7 +61,6 @@ void Foam::couplingIndicators::update
     dampingExponent_ += 0.5/massRatio_;
 
     largestShellSpeed_ = max(largestShellSpeed_, max(mag(velocity)));
-    largestGasSpeed_ = max(largestGasSpeed_, gas_.extrema().maxSpeed);
 }
 
 

@@ -64,7 +64,7 @@ Foam::autoPtr<Foam::fluidShellCoupling> Foam::fluidShellCoupling::New
         dict,
         {
             "coupling", "patches", "subCycles", "shellSteps", "loads",
-            "loadTransfer", "pRef", "mapTolerance"
+            "loadTransfer", "pRef", "mapTolerance", "adviceTolerance"
         }
     );
     const wordList schemes(shellCoupling::schemes());
@@ -102,7 +102,8 @@ Foam::fluidShellCoupling::fluidShellCoupling
     nGasSteps_(0),
     nLastSteps_(0),
     courantMax_(0),
-    largestStable_(0)
+    largestStable_(0),
+    extrema_{}
 {
     if (!subCycles_ && adjustTimeStep())
     {
@@ -243,7 +244,8 @@ void Foam::fluidShellCoupling::write()
 
 void Foam::fluidShellCoupling::report()
 {
-    const gasExtrema e = gas_.extrema();
+    extrema_ = gas_.extrema();
+    const gasExtrema& e = extrema_;
     const scalar done =
         (time_.value() - time_.startTime().value())
        /(time_.endTime().value() - time_.startTime().value());

@@ -232,6 +232,7 @@ void Foam::shellCoupling::report()
     balance_.report(time_);
     indicators_.report(moves());
     fluidShellCoupling::report();
+    indicators_.addGasSpeed(extrema_.maxSpeed);
 }
 
 

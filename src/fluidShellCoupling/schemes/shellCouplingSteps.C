@@ -144,7 +144,7 @@ void Foam::shellCoupling::beginStep(const scalar duration)
         WarningInFunction
             << "The mass ratio of shell to gas moved in a coupling step is "
             << indicators_.massRatio() << ": below " << leastMassRatio()
-            << " the staggered scheme is unstable, (C20)" << nl
+            << " a staggered scheme is not safe, (C20)" << nl
             << "    Use coupling iterated, or a coupling step smaller by "
             << leastMassRatio()/indicators_.massRatio() << " (deltaT, "
             << "subCycles)" << endl;

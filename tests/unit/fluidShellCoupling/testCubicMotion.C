@@ -50,3 +50,24 @@ TEST(CubicMotion, isContinuousAcrossWindows)
     const vector velocity = (motion.at(h)()[0] - motion.at(0)()[0])/(0.4*h);
     EXPECT_LE(mag(velocity - vector(-2, 0, 0)), 1e-3);
 }
+
+
+TEST(CubicMotion, anotherEndKeepsTheStart)
+{
+    const vectorField zero(1, Zero), x(1, vector(1, 0, 0));
+    cubicMotion motion(1), other(1);
+    for (cubicMotion* m : {&motion, &other})
+    {
+        m->reset(0.1*x, 2*x);
+        m->advance(0.1, 0.4*x, 3*x);
+    }
+    motion.setEnd(7*x, zero);
+    motion.setEnd(0.4*x, 3*x);
+    for (const scalar s : {0.0, 0.3, 0.7, 1.0})
+    {
+        EXPECT_EQ(motion.at(s)(), other.at(s)());
+    }
+    motion.setEnd(0.5*x, zero);
+    EXPECT_LE(mag(motion.at(0)()[0] - 0.1*x[0]), 1e-15);
+    EXPECT_EQ(motion.at(1)()[0], 0.5*x[0]);
+}

@@ -65,7 +65,7 @@ def test_incidentShock(reflected):
 
 
 def test_workBalanceCloses(reflected):
-    """Without sub-cycling both sides do the same work, eqs. (C5), (C6)."""
+    """Without sub-cycling both sides do the same work, (C5) and (C7)."""
     table = rows(reflected, "interface", "balance.dat")
     forceGas, forceShell = table[:, 1:4], table[:, 4:7]
     workGas, workShell = table[-1, 10], table[-1, 11]
