@@ -80,12 +80,6 @@ void SectionSums::add
     couple_ += lever*t;
 }
 
-void SectionSums::add(const SectionSums& other, double factor)
-{
-    force_ += factor*other.force_;
-    couple_ += factor*other.couple_;
-}
-
 SectionForces SectionSums::forces
 (
     const Mat3& G,

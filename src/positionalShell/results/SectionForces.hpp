@@ -51,9 +51,6 @@ public:
         double lever
     );
 
-    //- Add a part of the sums at another point
-    void add(const SectionSums& other, double factor);
-
     //- G: initial base vectors of the mid-surface; stretch: length of the director
     SectionForces forces
     (

@@ -154,33 +154,16 @@ ShellResults::ElementResults ShellResults::elementResults
         }
     }
 
-    std::vector<SectionSums> sums;
-    for (std::size_t p = 0; p < area_.size(); ++p)
+    std::vector<NodeStrains> strains;
+    for (const LinePoint& z : gaussRule(model_.integration().thicknessPoints))
     {
-        sums.push_back(sectionSums(element, q, gaps, int(p)));
+        strains.push_back(nodeStrains(element, q, gaps, z.xi));
     }
     for (int j = 0; j < nodesPerElement; ++j)
     {
-        addSection(element, j, q, sums, results[j]);
+        addSection(element, j, q, strains, results[j]);
     }
     return results;
-}
-
-Strain ShellResults::strainAt
-(
-    int element,
-    const Vector& q,
-    const Strain* gaps,
-    int point,
-    double zeta
-) const
-{
-    const Triangle& triangle = model_.mesh().triangle(element);
-    const double c = 0.5*model_.thickness(element);
-    const Strain motion =
-        halfMetric(baseVectors(triangle, q, c, area_[point], zeta))
-      - halfMetric(baseVectors(triangle, initial_, c, area_[point], zeta));
-    return gaps ? Strain(motion + gaps[point]) : motion;
 }
 
 ShellResults::NodeStrains ShellResults::nodeStrains
@@ -191,10 +174,15 @@ ShellResults::NodeStrains ShellResults::nodeStrains
     double zeta
 ) const
 {
+    const Triangle& triangle = model_.mesh().triangle(element);
+    const double c = 0.5*model_.thickness(element);
     Eigen::Matrix<double, Eigen::Dynamic, 6> e(area_.size(), 6);
-    for (int p = 0; p < e.rows(); ++p)
+    for (std::size_t p = 0; p < area_.size(); ++p)
     {
-        e.row(p) = strainAt(element, q, gaps, p, zeta);
+        const Strain motion =
+            halfMetric(baseVectors(triangle, q, c, area_[p], zeta))
+          - halfMetric(baseVectors(triangle, initial_, c, area_[p], zeta));
+        e.row(p) = gaps ? Strain(motion + gaps[p]) : motion;
     }
     return fit_*e;
 }
@@ -226,47 +214,13 @@ HeightResult ShellResults::heightResult
     return result;
 }
 
-SectionSums ShellResults::sectionSums
-(
-    int element,
-    const Vector& q,
-    const Strain* gaps,
-    int point
-) const
-{
-    const Triangle& triangle = model_.mesh().triangle(element);
-    const Section& section = model_.section(element);
-    const double c = 0.5*section.thickness;
-    double a = 0;
-    for (int j = 0; j < nodesPerElement; ++j)
-    {
-        a += area_[point].phi[j][0]*q[fullIndex(triangle[j], Component::a)];
-    }
-    SectionSums sums;
-    for (const LinePoint& z : gaussRule(model_.integration().thicknessPoints))
-    {
-        const Mat3 G = baseVectors(triangle, initial_, c, area_[point], z.xi);
-        const ElasticMatrix T = strainTransform(G, materialAxes(G, section));
-        const Strain e = strainAt(element, q, gaps, point, z.xi);
-        const Stress S = T.transpose()*section.material->stress(T*e);
-        sums.add
-        (
-            S,
-            z.weight*G.determinant(),
-            baseVectors(triangle, q, c, area_[point], z.xi),
-            c*(z.xi + a*z.xi*z.xi)
-        );
-    }
-    return sums;
-}
-
-//- (R6)-(R8)
+//- (R5)-(R8)
 void ShellResults::addSection
 (
     int element,
     int place,
     const Vector& q,
-    const std::vector<SectionSums>& sums,
+    const std::vector<NodeStrains>& strains,
     PointResult& result
 ) const
 {
@@ -274,15 +228,32 @@ void ShellResults::addSection
     const Section& section = model_.section(element);
     const double c = 0.5*section.thickness;
     const AreaPoint& node = nodes_[place];
+    const double a = q[fullIndex(triangle[place], Component::a)];
+    const auto& rule = gaussRule(model_.integration().thicknessPoints);
 
-    SectionSums own;
-    for (std::size_t p = 0; p < sums.size(); ++p) own.add(sums[p], fit_(place, p));
+    SectionSums sums;
+    for (std::size_t z = 0; z < rule.size(); ++z)
+    {
+        const double zeta = rule[z].xi;
+        const Mat3 G = baseVectors(triangle, initial_, c, node, zeta);
+        const ElasticMatrix T = strainTransform(G, materialAxes(G, section));
+        const Strain e = strains[z].row(place).transpose();
+        const Stress S = T.transpose()*section.material->stress(T*e);
+        sums.add
+        (
+            S,
+            rule[z].weight*G.determinant(),
+            baseVectors(triangle, q, c, node, zeta),
+            c*(zeta + a*zeta*zeta)
+        );
+    }
 
     const Mat3 G = baseVectors(triangle, initial_, c, node, 0);
     const Mat3 now = baseVectors(triangle, q, c, node, 0);
     const Mat3 axes = sectionAxes(G, section, options_.axis);
     const Mat3 present = presentAxes(G, now, axes);
-    result.section = own.forces(G, axes, present, now.col(2).norm()/c);
+    result.section =
+        sums.forces(G, axes, present, now.col(2).norm()/c);
     result.axis1 = present.col(0);
     result.axis3 = present.col(2);
 }

@@ -98,13 +98,7 @@ private:
         int element, const Vector& q, const Strain* gaps
     ) const;
 
-    //- Covariant strain at an area point at a height
-    Strain strainAt
-    (
-        int element, const Vector& q, const Strain* gaps, int point, double zeta
-    ) const;
-
-    //- At the nodes at a height, (R1)
+    //- Covariant strains at the nodes at a height, (R1)
     NodeStrains nodeStrains
     (
         int element, const Vector& q, const Strain* gaps, double zeta
@@ -115,17 +109,11 @@ private:
         int element, int place, const Vector& q, const Strain& e, double zeta
     ) const;
 
-    //- Tractions through the thickness at an area point, (R5)
-    SectionSums sectionSums
-    (
-        int element, const Vector& q, const Strain* gaps, int point
-    ) const;
-
-    //- sums: by area point
+    //- strains: by thickness point
     void addSection
     (
         int element, int place, const Vector& q,
-        const std::vector<SectionSums>& sums, PointResult& result
+        const std::vector<NodeStrains>& strains, PointResult& result
     ) const;
 };
 

@@ -54,33 +54,40 @@ def cap(n):
          < edge + 1e-6, "y0": lambda x: abs(x[:, 1]) < 1e-9})
 
 
-CAP = ("own ccx 2.20, 40 CAX8, R 22.27 in, 26.67 deg, h 0.41 in, after Bathe,"
-       " Ramm and Wilson (1975) as in Krysl, FinEtools")
+CAP = ("own ccx 2.20, 80 x 2 CAX8, R 22.27 in, 26.67 deg, h 0.41 in, after"
+       " Bathe, Ramm and Wilson (1975) as in Krysl, FinEtools")
+CAP_FILE = "dyn_D4_spherical_cap_80x2_ccx.csv"
 
 
-@pytest.mark.parametrize("n,deltaT,until,bound,peak", [
-    (2, 5e-6, 4e-4, 6, 2.5), (3, 5e-6, 4e-4, 5, 1),
-    pytest.param(4, 2.5e-6, 6e-4, 5, 1, marks=pytest.mark.long),
+@pytest.mark.parametrize("n,form,deltaT,until,bound,peak", [
+    (2, "assumedStrain", 5e-6, 4e-4, 5, 3),
+    (3, "assumedStrain", 5e-6, 4e-4, 3, 1.5),
+    pytest.param(6, "assumedStrain", 2.5e-6, 6e-4, 1.5, 1,
+                 marks=pytest.mark.long),
+    pytest.param(6, "displacement", 2.5e-6, 6e-4, 1, 1,
+                 marks=pytest.mark.long),
 ])
-def test_spherical_cap(tmp_path, table, n, deltaT, until, bound, peak):
-    """600 psi at once: a first swing, then buckling, which takes up small
-    differences (integrators, place of the clamp and of the pressure within
-    the thickness): a bound for each."""
+def test_spherical_cap(tmp_path, table, n, form, deltaT, until, bound, peak):
+    """600 psi at once on the outer face: a first swing, then buckling, which
+    takes up small differences. With one element through the thickness the
+    solids' curve is off by 2.2 % of the peak itself; pressure on the middle
+    surface in place of the outer face makes 1 to 2 %."""
     case = MovingCase(
         tmp_path, cap(n), isotropic(10.5e6, 0.3, 0.41, 2.45e-4),
         {"x0": symmetry("x0", (1, 0, 0)), "y0": symmetry("y0", (0, 1, 0)),
-         "rim": {"type": "clamped", "nodeSet": "rim"}})
+         "rim": {"type": "clamped", "nodeSet": "rim"}}, form)
     times, u = case.march(
-        {"blast": {"type": "followerPressure", "pressure": 600}},
+        {"blast": {"type": "followerPressure", "pressure": 600,
+                   "face": "upper"}},
         until, deltaT, points=[(0, 0, 22.27)])
-    compare(table, "spherical cap, 600 psi step", f"3 x {n} x {n}",
+    name = f"spherical cap, 600 psi step, {form}"
+    compare(table, name, f"3 x {n} x {n}",
             "deflection of the apex, greatest difference [%]", times,
-            u[:, 0, 2], "dyn_D4_spherical_cap_NL_ccx.csv", CAP, until, bound)
-    t, w = reference("dyn_D4_spherical_cap_NL_ccx.csv").T
+            u[:, 0, 2], CAP_FILE, CAP, until, bound)
+    t, w = reference(CAP_FILE).T
     table.check(
-        "spherical cap, 600 psi step", [f"3 x {n} x {n}"],
-        "first peak of the apex [in]", [u[times < 2.2e-4, 0, 2].min()],
-        w[t < 2.2e-4].min(), CAP, [peak])
+        name, [f"3 x {n} x {n}"], "first peak of the apex [in]",
+        [u[times < 2.2e-4, 0, 2].min()], w[t < 2.2e-4].min(), CAP, [peak])
 
 
 @pytest.mark.parametrize("n,deltaT,bound", [

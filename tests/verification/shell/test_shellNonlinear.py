@@ -168,29 +168,3 @@ def test_slitAnnulus(tmp_path, table):
         table.check("slit annular plate, 0.8 per length",
                     [f"{a} x {b}" for a, b in meshes], quantity, ours[:, k],
                     reference, "Sze 3.3", (5, 1.5, 1))
-
-
-def pinchedCylinder(folder, n):
-    """By arc length: coarse meshes snap from wrinkle to wrinkle."""
-    mesh = cylinder(n, n, 100, 100, 90)
-    case = ShellCase(folder, mesh, isotropic(30e3, 0.3, 1),
-                     {"diaphragm": fixed("vMax", "x", "z", "gx", "gz"),
-                      "middle": symmetry("vMin", Y),
-                      "top": symmetry("uMin", X), "side": symmetry("uMax", Z)})
-    corners = [mesh.node(c) for c in ("uMinvMin", "uMaxvMin")]
-    p, u = case.path({"pinch": force("uMinvMin", (0, 0, -3000))}, 0.01, 60,
-                     mesh.nodes[corners], maxGrowth=2)
-    return whole(p, -u[:, 0, 2]), whole(p, u[:, 1, 0])
-
-
-@pytest.mark.parametrize("meshes,bounds", [
-    ([4, 6], (50, 20)),
-    pytest.param([8, 12, 16], (5, 2, 1), marks=pytest.mark.long),
-])
-def test_pinchedCylinder(tmp_path, table, meshes, bounds):
-    ours = np.array([pinchedCylinder(tmp_path/str(n), n) for n in meshes])
-    # source: Sze (2004), 3.6, mesh 48 x 48
-    for k, (quantity, reference) in enumerate([("-W under the load", 83.102),
-                                               ("U at the side", 34.272)]):
-        table.check("pinched cylinder, 12000", meshes, quantity, ours[:, k],
-                    reference, "Sze 3.6", bounds)

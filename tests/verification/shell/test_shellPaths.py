@@ -3,7 +3,6 @@ Sze, Liu and Lo (2004), 3.8. Elements with assumed strains; n is the number of
 quadrilaterals per side of a quarter, two triangles each.
 """
 import numpy as np
-import pytest
 
 from shellCase import ShellCase, Surface, force, isotropic, symmetry
 from shellShapes import stacked
@@ -29,29 +28,46 @@ def path(folder, n, thickness, first, steps, growth):
     return -u[:, 0, 2], loads
 
 
-def turningLoad(w, p, sign, range):
+def turningLoad(w, p, sign, low, high):
     """Greatest (least: sign -1) load in a range of deflections, by the
     parabola through three points of the path."""
-    inside = [k for k in np.arange(1, len(w) - 1)
-              if range[0] < w[k] < range[1]]
+    inside = [k for k in range(1, len(w) - 1) if low < w[k] < high]
     k = max(inside, key=lambda k: sign*p[k])
     slope, bend = (p[k + 1] - p[k - 1])/2, p[k + 1] - 2*p[k] + p[k - 1]
     return p[k] - slope**2/2/bend
 
 
-@pytest.mark.parametrize("thickness,first,steps,growth,limits", [
+def loadAt(w, p, deflection):
+    """By the cubic through the four nearest points of a path that does not
+    turn back in the deflection."""
+    near = np.argsort(abs(w - deflection))[:4]
+    return np.polyval(np.polyfit(w[near] - deflection, p[near], 3), 0)
+
+
+def check(table, title, meshes, ours, reference):
     # source: Sze, Liu and Lo (2004), 16 x 16, as in MBDyn's sze38_ref_*.dat
-    (12.7, 0.1, 40, 1.5, ((1, (8, 14), 0.7421), (-1, (16, 23), 0.1729))),
-    (6.35, 0.05, 60, 1, ((1, (10, 15), 0.1953), (-1, (14, 19), -0.1288))),
-])
-def test_hingedRoof(tmp_path, table, thickness, first, steps, growth, limits):
+    table.check(title, meshes, "load over 3000", ours, reference, "Sze 3.8",
+                (1.5, 1, 1))
+
+
+def test_hingedRoof(tmp_path, table):
+    """Next to the published limit and least loads: at their deflections, as
+    the published points are 0.9 apart. The turning loads themselves, 0.7386
+    and 0.1698, are alike with both element forms on 6 x 6."""
     meshes = [2, 4, 5]
-    paths = [path(tmp_path/str(n), n, thickness, first, steps, growth)
-             for n in meshes]
-    for sign, range, value in limits:
-        ours = [turningLoad(w, p, sign, range) for w, p in paths]
-        table.check(
-            f"hinged roof, h {thickness}, " + ("limit" if sign > 0 else "least")
-            + " load over 3000", meshes, "load", ours, value, "Sze 3.8",
-            (15, 1, 1))
-    assert max(p[-1] for _, p in paths) > 0.9
+    paths = [path(tmp_path/str(n), n, 12.7, 0.1, 28, 1.5) for n in meshes]
+    for deflection, load in ((11.293, 0.7421), (19.852, 0.1729)):
+        check(table, f"hinged roof, h 12.7, deflection {deflection}", meshes,
+              [loadAt(w, p, deflection) for w, p in paths], load)
+
+
+def test_thinHingedRoof(tmp_path, table):
+    """It turns back in deflection as well."""
+    meshes = [2, 4, 5]
+    paths = [path(tmp_path/str(n), n, 6.35, 0.05, 52, 1) for n in meshes]
+    for name, where, load in (("limit", (1, 10, 15), 0.1953),
+                              ("least", (-1, 14, 19), -0.1288)):
+        check(table, f"hinged roof, h 6.35, {name} load", meshes,
+              [turningLoad(w, p, *where) for w, p in paths], load)
+    # On to the second branch
+    assert paths[-1][0][-1] > 25
