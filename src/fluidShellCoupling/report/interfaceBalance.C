@@ -15,6 +15,10 @@ Foam::interfaceBalance::interfaceBalance(const Time& runTime)
     forceShell_(Zero),
     impulse_(Zero)
 {
+    if (!Pstream::master())
+    {
+        return;
+    }
     const fileName folder
     (
         runTime.globalPath()/"postProcessing"/"interface"/runTime.timeName()
@@ -51,7 +55,7 @@ void Foam::interfaceBalance::addGas
     const vectorField& displacement
 )
 {
-    const scalar work = sum(forces & displacement);
+    const scalar work = gSum(forces & displacement);
     stepGas_ += work;
     workGas_ += work;
 }
@@ -81,6 +85,10 @@ void Foam::interfaceBalance::report(const Time& runTime)
         << stepShell_ << " J; accumulated: gas " << workGas_
         << " J, shell " << workShell_ << " J, mismatch " << mismatch() << nl;
 
+    if (!file_.valid())
+    {
+        return;
+    }
     auto write = [&](const vector& v)
     {
         file_() << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();

@@ -25,13 +25,6 @@ Foam::shellCoupling::shellCoupling
     nodes_(gas.mesh(), dict),
     balance_(time)
 {
-    if (Pstream::parRun())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Coupled runs use one processor in this version; the gas alone "
-            << "runs in parallel" << nl
-            << "    Run without -parallel" << exit(FatalIOError);
-    }
     if (subCycles_ < 1)
     {
         FatalIOErrorInFunction(dict)
@@ -108,18 +101,18 @@ void Foam::shellCoupling::findMap
     scalar area = 0;
     for (const fePatch* patch : nodes_.patches())
     {
-        area += sum(mag(mesh_.boundaryMesh()[patch->index].faceAreas()));
+        area += gSum(mag(mesh_.boundaryMesh()[patch->index].faceAreas()));
     }
 
-    Info<< "Interface: " << map_->size() << " gas nodes, " << area
+    Info<< "Interface: " << nodes_.globalSize() << " gas nodes, " << area
         << " m2 of " << nodes_.patches().size() << " patch(es)" << nl
         << "    worst offset of a node from the shell "
         << map_->worstOffset() << " m, largest |xi3| "
         << map_->largestXi3() << nl
-        << "    present load: force on gas nodes " << sum(forces)
+        << "    present load: force on gas nodes " << gSum(forces)
         << " N, on the shell " << interfaceMap::resultant(generalised) << nl
         << "    moment about the origin: gas nodes "
-        << sum(positions ^ forces) << " N m, shell "
+        << gSum(positions ^ forces) << " N m, shell "
         << interfaceMap::moment(generalised, q) << nl << endl;
 }
 
@@ -132,7 +125,7 @@ void Foam::shellCoupling::advanceShell(const scalar duration)
         phaseTimes::timer timer(times_, phaseTimes::transfer);
         forces = nodes_.pressureForces(gas_, pRef_);
         load = map_->generalisedForce(forces);
-        balance_.begin(sum(forces), interfaceMap::resultant(load), duration);
+        balance_.begin(gSum(forces), interfaceMap::resultant(load), duration);
     }
     const positionalShell::Vector before = shell_->state().position;
     {
