@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 #include "interfaceNodes.H"
 #include "HashSet.H"
+#include "UIndirectList.H"
 #include "ListOps.H"
 #include "FlatOutput.H"
 
@@ -29,6 +30,17 @@ Foam::interfaceNodes::interfaceNodes
     }
     patches_.transfer(patches);
     nodes_ = all.sortedToc();
+
+    // A node's owner may have none of its facets
+    labelList here(mesh.nNodes(), Zero);
+    UIndirectList<label>(here, nodes_) = 1;
+    mesh.exchange().max(here);
+    globalSize_ = 0;
+    forAll(here, nodei)
+    {
+        globalSize_ += (here[nodei] && mesh.exchange().owned(nodei) ? 1 : 0);
+    }
+    reduce(globalSize_, sumOp<label>());
 
     indexOf_.setSize(patches_.size());
     forAll(patches_, i)

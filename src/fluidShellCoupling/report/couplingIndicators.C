@@ -31,7 +31,8 @@ Foam::couplingIndicators::couplingIndicators
     {
         startPressure_ += areas[i]*gas_.acoustics(nodes_.nodes()[i]).p;
     }
-    startPressure_ /= sum(areas);
+    reduce(startPressure_, sumOp<scalar>());
+    startPressure_ /= gSum(areas);
 }
 
 
@@ -52,6 +53,10 @@ void Foam::couplingIndicators::update
         motion += sqr(g.impedance*(velocity[i] & areas[i]))/max(A, VSMALL);
         load += sqr(g.p - startPressure_)*A;
     }
+    for (scalar* sum : {&area, &impedance, &motion, &load})
+    {
+        reduce(*sum, sumOp<scalar>());
+    }
     motion_ = Foam::sqrt(motion/area);
     largestMotion_ = max(largestMotion_, motion_);
     largestLoad_ = max(largestLoad_, Foam::sqrt(load/area));
@@ -60,7 +65,7 @@ void Foam::couplingIndicators::update
     leastMassRatio_ = min(leastMassRatio_, massRatio_);
     dampingExponent_ += 0.5/massRatio_;
 
-    largestShellSpeed_ = max(largestShellSpeed_, max(mag(velocity)));
+    largestShellSpeed_ = max(largestShellSpeed_, gMax(mag(velocity)));
 }
 
 

@@ -9,6 +9,10 @@ Foam::interfaceBalance::interfaceBalance(const Time& runTime)
     largestDifference_(0),
     largestWork_(0)
 {
+    if (!Pstream::master())
+    {
+        return;
+    }
     const fileName folder
     (
         runTime.globalPath()/"postProcessing"/"interface"/runTime.timeName()
@@ -49,8 +53,8 @@ void Foam::interfaceBalance::addGas
     const scalar dt
 )
 {
-    stepGas_.work += sum(forces & displacement);
-    stepGas_.impulse += sum(forces)*dt;
+    stepGas_.work += gSum(forces & displacement);
+    stepGas_.impulse += gSum(forces)*dt;
 }
 
 
@@ -98,6 +102,10 @@ void Foam::interfaceBalance::report(const Time& runTime)
         << "; accumulated: gas " << gas_.work << " J, shell " << shell_.work
         << " J, mismatch " << mismatch() << nl;
 
+    if (!file_.valid())
+    {
+        return;
+    }
     auto write = [&](const vector& v)
     {
         file_() << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();

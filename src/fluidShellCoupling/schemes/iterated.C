@@ -82,17 +82,33 @@ positionalShell::Vector Foam::iterated::stacked
     const scalar duration
 )
 {
-    const label n = m.displacement.size();
-    positionalShell::Vector u(6*n);
-    for (label i = 0; i < n; ++i)
+    // Displacements and displacements by the velocities of this process, then
+    // those of all, so that all take the same steps of the iteration
+    List<vectorField> all(Pstream::nProcs());
+    vectorField& own = all[Pstream::myProcNo()];
+    own = m.displacement;
+    own.append(vectorField(duration*m.velocity));
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    label n = 0;
+    for (const vectorField& u : all)
     {
-        for (direction d = 0; d < 3; ++d)
+        n += u.size();
+    }
+    positionalShell::Vector stack(3*n);
+    label at = 0;
+    for (const vectorField& u : all)
+    {
+        for (const vector& x : u)
         {
-            u[3*i + d] = m.displacement[i][d];
-            u[3*(n + i) + d] = duration*m.velocity[i][d];
+            for (direction d = 0; d < 3; ++d)
+            {
+                stack[at++] = x[d];
+            }
         }
     }
-    return u;
+    return stack;
 }
 
 
@@ -100,18 +116,33 @@ Foam::iterated::interfaceMotion Foam::iterated::unstacked
 (
     const positionalShell::Vector& u,
     const scalar duration
-)
+) const
 {
-    const label n = u.size()/6;
-    interfaceMotion m{vectorField(n), vectorField(n)};
-    for (label i = 0; i < n; ++i)
+    labelList sizes(Pstream::nProcs());
+    sizes[Pstream::myProcNo()] = nodes_.size();
+    Pstream::gatherList(sizes);
+    Pstream::scatterList(sizes);
+
+    label at = 0;
+    for (label proci = 0; proci < Pstream::myProcNo(); ++proci)
     {
-        for (direction d = 0; d < 3; ++d)
+        at += 6*sizes[proci];
+    }
+    interfaceMotion m
+    {
+        vectorField(nodes_.size()), vectorField(nodes_.size())
+    };
+    for (vectorField* field : {&m.displacement, &m.velocity})
+    {
+        for (vector& x : *field)
         {
-            m.displacement[i][d] = u[3*i + d];
-            m.velocity[i][d] = u[3*(n + i) + d]/duration;
+            for (direction d = 0; d < 3; ++d)
+            {
+                x[d] = u[at++];
+            }
         }
     }
+    m.velocity /= duration;
     return m;
 }
 

@@ -138,6 +138,10 @@ void Foam::predictedMotion::advance()
 void Foam::predictedMotion::writeInterfaceState(Ostream& os) const
 {
     movingCoupling::writeInterfaceState(os);
+    if (Pstream::parRun())
+    {
+        return;
+    }
     expected_.displacement.writeEntry("displacement", os);
     expected_.velocity.writeEntry("velocity", os);
     acceleration_.writeEntry("acceleration", os);
@@ -148,8 +152,9 @@ void Foam::predictedMotion::readInterfaceState(const dictionary& dict)
 {
     movingCoupling::readInterfaceState(dict);
 
-    // Absent when another scheme wrote the state: as at a start
-    if (dict.found("acceleration"))
+    // Absent when another scheme or several processes wrote the state: as at a
+    // start
+    if (!Pstream::parRun() && dict.found("acceleration"))
     {
         const label n = nodes_.size();
         expected_.displacement = vectorField("displacement", dict, n);

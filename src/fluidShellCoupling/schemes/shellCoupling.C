@@ -113,13 +113,6 @@ Foam::shellCoupling::shellCoupling
     ),
     warned_(false)
 {
-    if (Pstream::parRun())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Coupled runs use one processor in this version; the gas alone "
-            << "runs in parallel" << nl
-            << "    Run without -parallel" << exit(FatalIOError);
-    }
     if (dict.found("loadTransfer"))
     {
         selectEntry(dict, "loadTransfer", {"consistent"});
@@ -210,18 +203,18 @@ void Foam::shellCoupling::findMap
     scalar area = 0;
     for (const fePatch* patch : nodes_.patches())
     {
-        area += sum(mag(mesh_.boundaryMesh()[patch->index].faceAreas()));
+        area += gSum(mag(mesh_.boundaryMesh()[patch->index].faceAreas()));
     }
 
-    Info<< "Interface: " << map_->size() << " gas nodes, " << area
+    Info<< "Interface: " << nodes_.globalSize() << " gas nodes, " << area
         << " m2 of " << nodes_.patches().size() << " patch(es)" << nl
         << "    worst offset of a node from the shell "
         << map_->worstOffset() << " m, largest |xi3| "
         << map_->largestXi3() << nl
-        << "    present load: force on gas nodes " << sum(forces)
+        << "    present load: force on gas nodes " << gSum(forces)
         << " N, on the shell " << interfaceMap::resultant(generalised) << nl
         << "    moment about the origin: gas nodes "
-        << sum(positions ^ forces) << " N m, shell "
+        << gSum(positions ^ forces) << " N m, shell "
         << interfaceMap::moment(generalised, q) << nl << endl;
 }
 

@@ -47,7 +47,7 @@ positionalShell::Vector Foam::shellCoupling::transfer
     const pointField places(nodes_.gather(gas_.mesh().nodes()));
     balance_.setLoads
     (
-        {sum(forces), sum(places ^ forces)},
+        {gSum(forces), gSum(places ^ forces)},
         {
             interfaceMap::resultant(load),
             interfaceMap::moment(load, shell_->state().position)
@@ -158,7 +158,7 @@ void Foam::shellCoupling::writeInterfaceState(Ostream& os) const
     os.writeEntry("workGas", balance_.gas().work);
     os.writeEntry("impulseShell", balance_.shell().impulse);
     os.writeEntry("workShell", balance_.shell().work);
-    if (averages_)
+    if (averages_ && !Pstream::parRun())
     {
         meanForces_.writeEntry("meanForces", os);
     }
@@ -172,7 +172,9 @@ void Foam::shellCoupling::readInterfaceState(const dictionary& dict)
         {dict.get<vector>("impulseGas"), dict.get<scalar>("workGas")},
         {dict.get<vector>("impulseShell"), dict.get<scalar>("workShell")}
     );
-    if (averages_ && dict.found("meanForces"))
+    // Of several processes each has its own nodes: section 7 of
+    // doc/theory/coupling.md
+    if (averages_ && !Pstream::parRun() && dict.found("meanForces"))
     {
         meanForces_ = vectorField("meanForces", dict, nodes_.size());
     }

@@ -1,6 +1,7 @@
 """The mesh motion of the shock-tube panel: how often, by which solver, and
 what stops it."""
 import re
+from math import prod
 from pathlib import Path
 
 import numpy as np
@@ -134,3 +135,47 @@ def test_stopLeavesTheStateOfARunThatEndsThere(panel, tmp_path):
     assert case.tip("0.0001")[-1, 1] == other.tip("0.0001")[-1, 1]
     assert case.tip("0.0001")[-1, 1] == pytest.approx(
         panel.tip()[-1, 1], rel=1e-6)
+
+
+SIMPLE = """
+FoamFile {{ version 2.0; format ascii; class dictionary;
+    object decomposeParDict; }}
+numberOfSubdomains {parts}; method simple;
+simpleCoeffs {{ n {n}; delta 0.001; }}
+"""
+
+
+# The panel on one process, cut along it, cut across it, and spread over four
+@pytest.mark.parametrize("n", ["(2 1 1)", "(1 2 1)", "(4 1 1)", "(2 2 1)"])
+def test_sameAnswerOnSeveralProcesses(panel, tmp_path, n):
+    parts = prod(int(i) for i in n.strip("()").split())
+    case = Panel(tmp_path / "case")
+    (case.path / "system" / "decomposeParDict").write_text(
+        SIMPLE.format(parts=parts, n=n))
+    case.run("decomposePar")
+    case.log = case.runParallel(parts, "shockShellFoam")
+    case.run("reconstructPar", "-latestTime")
+
+    end = panel.times()[-1]
+    for name in ("p", "U", "T", "pointDisplacement"):
+        wanted = panel.pointField(name, end)
+        np.testing.assert_allclose(
+            case.pointField(name, end), wanted,
+            rtol=0, atol=1e-10*abs(wanted).max())
+    one, several = panel.tip(), case.tip()
+    np.testing.assert_allclose(several, one, rtol=0,
+                               atol=1e-9*abs(one[:, 1:]).max())
+    one, several = (c.history("interface/0/balance.dat")[1]
+                    for c in (panel, case))
+    # Columns of forces, impulses and works; the z components are round-off
+    scale = abs(one).max(axis=0)
+    columns = scale > 1e-9*scale[1]*scale[0]
+    assert columns.sum() > 6
+    np.testing.assert_allclose(
+        several[:, columns]/scale[columns], one[:, columns]/scale[columns],
+        rtol=0, atol=1e-9)
+
+    lines = [re.search(r"Interface: (\d+) gas nodes, (\S+) m2", c.log).groups()
+             for c in (panel, case)]
+    assert lines[0][0] == lines[1][0]
+    assert float(lines[0][1]) == pytest.approx(float(lines[1][1]), rel=1e-12)

@@ -336,6 +336,37 @@ def test_wedge_keeps_its_planes(tmp_path):
     )
 
 
+@pytest.mark.parametrize("processes", [1, 2])
+def test_tubeOfAWedgeSlides(tmp_path, processes):
+    """A wall of constant radius is a plane of the scene (axial, radial)."""
+    case = FoamCase(CASES / "wedge", tmp_path / "wedge")
+    case.set(f"0/{FIELD}", "boundaryField", """{
+        panel { type waveDisplacement; amplitude (-0.01 0 0); omega 0;
+            waveNumber (0 0 0); value uniform (0 0 0); }
+        inlet { type fixedValue; value uniform (0 0 0); }
+        tube { type slip; }
+        "(front|back)" { type wedge; }
+        axis { type empty; }
+    }""")
+    if processes == 1:
+        moved(case)
+    else:
+        movedInParallel(case, "2 1 1")
+    assert "0 sliding" not in case.log
+    points, now = case.points(), case.pointField(FIELD, "1")
+    radius = np.hypot(points[:, 1], points[:, 2])
+    tube = np.isclose(radius, 0.1)
+    inside = tube & (points[:, 0] > 0.01) & (points[:, 0] < 0.39)
+    after = points + now
+    np.testing.assert_allclose(
+        np.hypot(after[tube, 1], after[tube, 2]), radius[tube],
+        rtol=0, atol=1e-16)
+    assert np.all(now[inside, 0] < 0)
+
+    # The motion of the panel is axial: without walls that hold, so is all
+    assert abs(now[:, 1:]).max() < 1e-16
+
+
 def coeff(keyword, value):
     return lambda case: setCoeff(case, keyword, value)
 
