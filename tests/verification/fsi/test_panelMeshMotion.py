@@ -132,6 +132,10 @@ def test_stopLeavesTheStateOfARunThatEndsThere(panel, tmp_path):
                 one, two, rtol=0, atol=1e-13*abs(two).max())
         one, two = (c.points(names[0]) for c, _ in pair)
         np.testing.assert_allclose(one, two, rtol=0, atol=1e-16)
+    # The restart has found the same map
+    maps = [re.search(r"worst offset of a node from the shell .*", c.log)[0]
+            for c in (panel, case)]
+    assert maps[0] == maps[1]
     assert case.tip("0.0001")[-1, 1] == other.tip("0.0001")[-1, 1]
     assert case.tip("0.0001")[-1, 1] == pytest.approx(
         panel.tip()[-1, 1], rel=1e-6)
