@@ -42,6 +42,7 @@ void Newton::Run::evaluate()
     ties_.project(problem_.tieArms(), residual_);
     report_.forceScale = scale;
     report_.roundOff = ratio(newton_.roundOff_, scale);
+    relative_ = ratio(equationNorms(dofs_, residual_), scale);
 }
 
 //- What the residual of each kind must come down to
@@ -55,10 +56,7 @@ KindNorms Newton::Run::target() const
 
 bool Newton::Run::atTarget() const
 {
-    return within
-    (
-        ratio(equationNorms(dofs_, residual_), report_.forceScale), target()
-    );
+    return within(relative_, target());
 }
 
 bool Newton::Run::converged() const
@@ -206,8 +204,7 @@ NewtonReport Newton::Run::solve()
     for (;;)
     {
         report_.history.emplace_back();
-        report_.history.back().residual =
-            ratio(equationNorms(dofs_, residual_), report_.forceScale);
+        report_.history.back().residual = relative_;
         report_.converged = converged();
         if (report_.converged) return report_;
         if (report_.iterations >= options().maxIterations)

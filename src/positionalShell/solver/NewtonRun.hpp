@@ -34,6 +34,9 @@ private:
     Vector full_;
     Vector residual_;
 
+    //- Its norms over their scales
+    KindNorms relative_;
+
     //- Positions that the last increment started from
     Vector before_;
 
