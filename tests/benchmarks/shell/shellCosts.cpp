@@ -243,7 +243,7 @@ void solverTimes(const Wall& wall, double seconds)
     solver.factorise(K);
     const double both = processorTime() - start;
     const double numeric = timeOf(seconds, [&] { solver.factorise(K); });
-    print("analysis", both - numeric);
+    print("firstFactorisation", both);
     print("factorisation", numeric);
     if (solver.report().last != Factorisation::cholesky)
     {
