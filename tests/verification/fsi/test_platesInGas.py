@@ -299,6 +299,26 @@ def test_workAndForceAgreeInEveryStep(tmp_path):
     assert b["impulseGas_x"] == pytest.approx(b["impulseShell_x"], rel=1e-12)
 
 
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_closestPointsKeepUniformPressures(tmp_path, scheme):
+    """On a plate that stays plane (C24) has nothing to interpolate, with gas
+    on both sides and on one: the same run as with consistent loads."""
+    for back in (None, Gas(0.3, 110, uniform(0.5 * P0, T0))):
+        runs = {}
+        for transfer in ("consistent", "closestPoint"):
+            case = PlateInGas(tmp_path / f"{transfer}{bool(back)}", MASS,
+                              front=Gas(0.3, 110, shocked), back=back)
+            case.couple(scheme, loadTransfer=transfer, subCycles=4,
+                        coeffs=coeffs(scheme))
+            runs[transfer] = case.runTo(4e-4, deltaT=8e-6)
+        one, two = (run.motion()[1] for run in runs.values())
+        assert one[-1] > 0.005 * THICKNESS
+        assert abs(two - one).max() <= 1e-10 * one[-1]
+        b = runs["closestPoint"].balance()
+        assert abs(b["forceGas_x"] - b["forceShell_x"]).max() \
+            <= 1e-12 * P0 * AREA
+
+
 def boxState(x):
     p = np.where(x < 0, P0 * (1.1 + 0.2 * np.sin(
         np.pi * (x + THICKNESS / 2) / 0.2)**2), P0)
@@ -427,6 +447,8 @@ def test_indicatorsAndAdvice(tmp_path):
     ({"subCycles": "many"}, ["subCycles", "adaptive"]),
     ({"shellSteps": 0}, ["shellSteps", "at least 1"]),
     ({"loads": "mean"}, ["mean", "end", "average"]),
+    ({"loadTransfer": "nearest"}, ["nearest", "consistent", "closestPoint"]),
+    ({"loadTransfer": "closestPoint", "loads": "average"}, ["loads end"]),
     ({"coeffs": "iteratedCoeffs { acceleration Anderson; }\n"},
      ["Anderson", "Aitken", "quasiNewton", "constant"]),
     ({"coeffs": "iteratedCoeffs { maxIterations 0; }\n"}, ["maxIterations"]),
