@@ -193,9 +193,9 @@ void Foam::fluidShellCoupling::setDeltaT()
             time_.controlDict().getOrDefault<scalar>("maxDeltaT", GREAT)
         );
 
-        // Growth is damped as in OpenFOAM's setDeltaT
-        dt = time_.timeIndex() == time_.startTimeIndex()
-          ? wanted : min(wanted, 1.2*dt);
+        // Growth is damped as in OpenFOAM's setDeltaT,
+        // of a restart as well: it knows the last deltaT
+        dt = time_.timeIndex() == 0 ? wanted : min(wanted, 1.2*dt);
 
         // Reach the end time in even steps
         const scalar left = time_.endTime().value() - time_.value();
@@ -238,6 +238,7 @@ void Foam::fluidShellCoupling::write()
     {
         saveForRestart();
         time_.writeNow();
+        gas_.forgetMotion();
     }
 }
 

@@ -21,7 +21,7 @@ Foam::movingCoupling::movingCoupling
 {
     findMap
     (
-        nodes_.gather(initialNodes_),
+        initialNodes_,
         dict.getOrDefault<scalar>("mapTolerance", 0.01)
     );
 }

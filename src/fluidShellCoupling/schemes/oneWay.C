@@ -25,7 +25,7 @@ Foam::oneWay::oneWay
 {
     findMap
     (
-        nodes_.gather(gas_.mesh().nodes()),
+        gas_.mesh().nodes(),
         dict.getOrDefault<scalar>("mapTolerance", 0.01)
     );
     resume();

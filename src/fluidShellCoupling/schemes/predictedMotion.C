@@ -69,7 +69,7 @@ positionalShell::Vector Foam::predictedMotion::openStep(const scalar duration)
 {
     phaseTimes::timer timer(times_, phaseTimes::transfer);
     beginStep(duration);
-    const positionalShell::Vector load = map_->generalisedForce(lastForces());
+    const positionalShell::Vector load = shellLoad(lastForces());
     shell_->initialise(load);
     return load;
 }
@@ -103,7 +103,7 @@ void Foam::predictedMotion::pass
     positionalShell::Vector load;
     {
         phaseTimes::timer timer(times_, phaseTimes::transfer);
-        load = map_->generalisedForce(lastForces());
+        load = shellLoad(lastForces());
     }
     stepShell(duration, startLoad, load);
 }

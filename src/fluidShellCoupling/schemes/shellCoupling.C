@@ -62,6 +62,25 @@ static bool readAverages(const Foam::dictionary& dict)
 }
 
 
+static bool readTakesClosest(const Foam::dictionary& dict)
+{
+    using namespace Foam;
+
+    const bool takes =
+        dict.found("loadTransfer")
+     && selectEntry(dict, "loadTransfer", {"consistent", "closestPoint"}) == 1;
+    if (takes && readAverages(dict))
+    {
+        FatalIOErrorInFunction(dict)
+            << "loads average keeps forces, but loadTransfer closestPoint "
+            << "takes pressures" << nl
+            << "    Set loads end, or loadTransfer consistent"
+            << exit(FatalIOError);
+    }
+    return takes;
+}
+
+
 Foam::wordList Foam::shellCoupling::schemes()
 {
     return dictionaryConstructorTablePtr_->sortedToc();
@@ -105,6 +124,7 @@ Foam::shellCoupling::shellCoupling
     shellSteps_(readShellSteps(dict)),
     averages_(readAverages(dict)),
     nodes_(gas.mesh(), dict),
+    takesClosest_(readTakesClosest(dict)),
     balance_(time),
     indicators_
     (
@@ -113,10 +133,6 @@ Foam::shellCoupling::shellCoupling
     ),
     warned_(false)
 {
-    if (dict.found("loadTransfer"))
-    {
-        selectEntry(dict, "loadTransfer", {"consistent"});
-    }
     checkPatches(dict);
     checkStripWidth();
 
@@ -188,18 +204,29 @@ void Foam::shellCoupling::checkStripWidth() const
 
 void Foam::shellCoupling::findMap
 (
-    const pointField& positions,
+    const pointField& places,
     const scalar tolerance
 )
 {
+    const pointField positions(nodes_.gather(places));
     map_.reset(new interfaceMap(shell_->model(), positions, tolerance));
 
     // The check of the transpose: the gas's present load on both sides
     const vectorField forces(nodes_.pressureForces(gas_, pRef_));
-    const positionalShell::Vector generalised =
-        map_->generalisedForce(forces);
-    const positionalShell::Vector q =
-        shell_->model().initialState().position;
+    positionalShell::Vector q = shell_->model().initialState().position;
+    positionalShell::Vector generalised = map_->generalisedForce(forces);
+    if (takesClosest_)
+    {
+        closestLoads_.reset
+        (
+            new closestPointLoads
+            (
+                shell_->model(), gas_.mesh(), nodes_, places, tolerance
+            )
+        );
+        q = shell_->state().position;
+        generalised = shellLoad(forces);
+    }
     scalar area = 0;
     for (const fePatch* patch : nodes_.patches())
     {
@@ -210,8 +237,14 @@ void Foam::shellCoupling::findMap
         << " m2 of " << nodes_.patches().size() << " patch(es)" << nl
         << "    worst offset of a node from the shell "
         << map_->worstOffset() << " m, largest |xi3| "
-        << map_->largestXi3() << nl
-        << "    present load: force on gas nodes " << gSum(forces)
+        << map_->largestXi3() << nl;
+    if (closestLoads_.valid())
+    {
+        Info<< "    loads of the closest points at "
+            << closestLoads_->nWetted() << " of "
+            << shell_->model().mesh().nNodes() << " shell nodes" << nl;
+    }
+    Info<< "    present load: force on gas nodes " << gSum(forces)
         << " N, on the shell " << interfaceMap::resultant(generalised) << nl
         << "    moment about the origin: gas nodes "
         << gSum(positions ^ forces) << " N m, shell "

@@ -38,12 +38,28 @@ Foam::vectorField Foam::shellCoupling::lastForces() const
 }
 
 
+positionalShell::Vector Foam::shellCoupling::shellLoad
+(
+    const vectorField& forces
+) const
+{
+    if (!closestLoads_.valid())
+    {
+        return map_->generalisedForce(forces);
+    }
+    return closestLoads_->generalisedForce
+    (
+        closestLoads_->pressures(gas_, pRef_), shell_->state().position
+    );
+}
+
+
 positionalShell::Vector Foam::shellCoupling::transfer
 (
     const vectorField& forces
 )
 {
-    const positionalShell::Vector load = map_->generalisedForce(forces);
+    const positionalShell::Vector load = shellLoad(forces);
     const pointField places(nodes_.gather(gas_.mesh().nodes()));
     balance_.setLoads
     (

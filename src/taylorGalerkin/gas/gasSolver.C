@@ -10,8 +10,6 @@
 #include "PstreamReduceOps.H"
 #include "Time.H"
 
-#include <cmath>
-
 namespace
 {
 
@@ -227,73 +225,6 @@ void Foam::gasSolver<dim>::sortPoints()
 
 
 template<int dim>
-void Foam::gasSolver<dim>::readState()
-{
-    for (label a = 0; a < mesh_.nNodes(); ++a)
-    {
-        const label pointi = mesh_.pointOfNode()[a];
-        state_.conserved(a) = gasDynamics::conserved<dim>
-        (
-            state_.eos,
-            state_.eos.density(p_[pointi], T_[pointi]),
-            mesh_.components<dim>(U_[pointi], mesh_.poly().points()[pointi]),
-            p_[pointi]
-        );
-    }
-    boundary_.startAtWalls(state_.rows);
-    boundary_.impose(state_.rows);
-
-    const label bad = state_.derive(geometry_.active());
-    if (bad >= 0 && bad < mesh_.nNodes())
-    {
-        const label pointi = mesh_.pointOfNode()[bad];
-        FatalErrorInFunction
-            << "The initial state is not physical at the point "
-            << mesh_.nodes()[bad] << ": p = " << p_[pointi] << " Pa, T = "
-            << T_[pointi] << " K, U = " << U_[pointi] << nl
-            << "    Change " << p_.objectPath() << ", T or U"
-            << exit(FatalError);
-    }
-    findReferences();
-    updateFields();
-}
-
-
-template<int dim>
-void Foam::gasSolver<dim>::findReferences()
-{
-    // The median: ambient gas fills at least half of most scenes
-    std::vector<double> p(mesh_.nNodes());
-    for (label a = 0; a < mesh_.nNodes(); ++a)
-    {
-        p[a] = state_.p(a);
-    }
-    // Of the first processor that has nodes
-    label teller = p.empty() ? labelMax : Pstream::myProcNo();
-    reduce(teller, minOp<label>());
-    state_.pRef = -GREAT;
-    if (teller == Pstream::myProcNo())
-    {
-        std::nth_element(p.begin(), p.begin() + p.size()/2, p.end());
-        state_.pRef = p[p.size()/2];
-    }
-    reduce(state_.pRef, maxOp<scalar>());
-
-    // The least momentum that gas at its speed of sound has: (G80)
-    scalar least = GREAT;
-    for (label a = 0; a < mesh_.nNodes(); ++a)
-    {
-        least = min(least, state_.rho(a)*state_.soundSpeed(a));
-    }
-    reduce(least, minOp<scalar>());
-    int exponent;
-    std::frexp(least, &exponent);
-    state_.momentumScale = std::ldexp(1.5, exponent);
-    state_.derive(geometry_.active());
-}
-
-
-template<int dim>
 const std::vector<double>& Foam::gasSolver<dim>::viscosities()
 {
     const std::vector<double>& artificial = shockCapturing_->nodalNu();
@@ -363,6 +294,10 @@ void Foam::gasSolver<dim>::stopIfBad
     }
 
     state_.rows = oldRows_;
+    if (oldNodes_.size())
+    {
+        mesh_.moveNodes(oldNodes_);
+    }
     rates_.clear();
     stableIsUpToDate_ = false;
     stable();
@@ -452,15 +387,23 @@ void Foam::gasSolver<dim>::step(const scalar dt)
 
 
 template<int dim>
-void Foam::gasSolver<dim>::advance(const scalar dt)
+void Foam::gasSolver<dim>::forgetMotion()
 {
     if (geometry_.edges().sweep)
     {
-        // The mesh has come to rest
         geometry_.begin();
         rates_.clear();
         stableIsUpToDate_ = false;
     }
+}
+
+
+template<int dim>
+void Foam::gasSolver<dim>::advance(const scalar dt)
+{
+    // The mesh has come to rest
+    forgetMotion();
+    oldNodes_.clear();
     step(dt);
 }
 
@@ -484,6 +427,7 @@ void Foam::gasSolver<dim>::advance
     stable();
     rates_.clear();
     oldRows_ = state_.rows;
+    oldNodes_ = mesh_.nodes();
     geometry_.begin(dt, newNodes);
 
     // The walls' velocity has changed with the new step

@@ -6,6 +6,80 @@
 #include "PstreamReduceOps.H"
 #include "Time.H"
 
+#include <cmath>
+
+template<int dim>
+void Foam::gasSolver<dim>::readState()
+{
+    for (label a = 0; a < mesh_.nNodes(); ++a)
+    {
+        const label pointi = mesh_.pointOfNode()[a];
+        state_.conserved(a) = gasDynamics::conserved<dim>
+        (
+            state_.eos,
+            state_.eos.density(p_[pointi], T_[pointi]),
+            mesh_.components<dim>(U_[pointi], mesh_.poly().points()[pointi]),
+            p_[pointi]
+        );
+    }
+    if (mesh_.poly().time().timeIndex() == 0)
+    {
+        // Not on what an earlier run wrote: its walls may have been in motion,
+        // and a step begins with what the walls and patches prescribe anyway
+        boundary_.startAtWalls(state_.rows);
+        boundary_.impose(state_.rows);
+    }
+
+    const label bad = state_.derive(geometry_.active());
+    if (bad >= 0 && bad < mesh_.nNodes())
+    {
+        const label pointi = mesh_.pointOfNode()[bad];
+        FatalErrorInFunction
+            << "The initial state is not physical at the point "
+            << mesh_.nodes()[bad] << ": p = " << p_[pointi] << " Pa, T = "
+            << T_[pointi] << " K, U = " << U_[pointi] << nl
+            << "    Change " << p_.objectPath() << ", T or U"
+            << exit(FatalError);
+    }
+    findReferences();
+    updateFields();
+}
+
+
+template<int dim>
+void Foam::gasSolver<dim>::findReferences()
+{
+    // The median: ambient gas fills at least half of most scenes
+    std::vector<double> p(mesh_.nNodes());
+    for (label a = 0; a < mesh_.nNodes(); ++a)
+    {
+        p[a] = state_.p(a);
+    }
+    // Of the first processor that has nodes
+    label teller = p.empty() ? labelMax : Pstream::myProcNo();
+    reduce(teller, minOp<label>());
+    state_.pRef = -GREAT;
+    if (teller == Pstream::myProcNo())
+    {
+        std::nth_element(p.begin(), p.begin() + p.size()/2, p.end());
+        state_.pRef = p[p.size()/2];
+    }
+    reduce(state_.pRef, maxOp<scalar>());
+
+    // The least momentum that gas at its speed of sound has: (G80)
+    scalar least = GREAT;
+    for (label a = 0; a < mesh_.nNodes(); ++a)
+    {
+        least = min(least, state_.rho(a)*state_.soundSpeed(a));
+    }
+    reduce(least, minOp<scalar>());
+    int exponent;
+    std::frexp(least, &exponent);
+    state_.momentumScale = std::ldexp(1.5, exponent);
+    state_.derive(geometry_.active());
+}
+
+
 template<int dim>
 void Foam::gasSolver<dim>::updateFields()
 {
@@ -54,6 +128,30 @@ void Foam::gasSolver<dim>::writeState()
     U_.write();
     T_.write();
     rho_.write();
+    writeMesh();
+
+    // Tells a run that starts here that an earlier one has written the state
+    runTime.writeTimeDict();
+}
+
+
+template<int dim>
+void Foam::gasSolver<dim>::writeMesh()
+{
+    polyMesh& poly = const_cast<polyMesh&>(mesh_.poly());
+    const pointField shift
+    (
+        mesh_.nodes() - mesh_.gather(poly.points())
+    );
+    if (returnReduce(gMax(mag(shift)) > 0, orOp<bool>()) || poly.moving())
+    {
+        // The polyMesh follows at the end of the run's step only
+        poly.movePoints
+        (
+            poly.points() + pointField(shift, mesh_.nodeOfPoint())
+        );
+        poly.write();
+    }
 }
 
 

@@ -135,7 +135,7 @@ def prepared(tmp_path_factory):
     ("constant/couplingProperties", "patches", "(roof)",
      ["roof", "shellInterface", "couplingProperties"]),
     ("constant/couplingProperties", "loadTransfer", "nearest",
-     ["nearest", "consistent"]),
+     ["nearest", "consistent", "closestPoint"]),
     ("constant/shellProperties", "sections/panel/thickness", "1e-4",
      ["not on the shell", "element", "of all", "thickness"]),
     ("0/pointDisplacement", "boundaryField/panel/type", "zeroGradient",

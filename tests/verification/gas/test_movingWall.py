@@ -1,5 +1,7 @@
 """Gas in front of a moving wall, through the application with its motion
 solvers."""
+import shutil
+
 import numpy as np
 import pytest
 
@@ -93,3 +95,30 @@ def test_impulsivePiston(tmp_path, speed, schemes):
     print(p[near].min(), p[near].mean(), p[near].max())
     assert abs(p[near].mean() / IMPULSIVE[speed] - 1) < 0.01
     assert abs(case.result("U")[near][:, 0].mean() / (speed * C) - 1) < 0.02
+
+
+@pytest.mark.parametrize("adjust", ["no", "yes"])
+def test_restartIsTheSameRun(tmp_path, adjust):
+    """At full write precision, to rounding: viscosity and stable step are
+    those of the mesh at rest after a write, and the walls keep their speed."""
+    case = PistonBox(
+        tmp_path / "case", CELLS, oscillating(0.12, 2.5), "inverseDistance")
+    case.schemes(TWO)
+    case.start(np.ones(len(case.x)), (0, 0, 0), 1.0)
+    case.set("system/controlDict", "writePrecision", "17")
+    assert case.runTo(0.5, writeInterval=0.25, adjustTimeStep=adjust,
+                      deltaT=0.005) == 0
+    names = ("p", "U", "T", "rho")
+    whole = [case.pointField(name, "0.5") for name in names]
+    points = case.points("0.5")
+    shutil.rmtree(case.path / "0.5")
+
+    case.set("system/controlDict", "startFrom", "latestTime")
+    log = case.run("shockShellFoam")
+    assert 0 < log.count("\nTime = ") < case.log.count("\nTime = ")
+    np.testing.assert_allclose(case.points("0.5"), points, rtol=0, atol=1e-14)
+    assert points[:, 0].min() > 0.05
+    for name, wanted in zip(names, whole):
+        error = abs(case.pointField(name, "0.5") - wanted).max()
+        print(name, error)
+        assert error <= 1e-12 * abs(wanted).max()
