@@ -1,0 +1,120 @@
+"""The studies of the paper's sections 4 and 5.1, and what they show."""
+from panelRun import Mesh, Run, largestDifference
+
+# Sub-cycles and gas steps [us] of section 5.1. For 200 sub-cycles it prints
+# 0.00625 us: read as 0.625 us here (doc/misprints.md), as printed in its own
+# study
+STEPS = [(1, 0.5), (5, 0.5), (10, 0.5), (50, 1), (100, 0.5), (200, 0.625)]
+AS_PRINTED = [(200, 0.00625)]
+THICK = 2.5
+
+# Largest differences one-way to two-way of the paper [%], by thickness, then
+# sub-cycles: displacement, pressure. Where it prints none: None
+# source: Suzuki and Sanches, section 5.1 (text to Figs. 10 and 11)
+PRINTED = {
+    1.0: {1: (17.166, 0.890), 50: (None, 2.470), 200: (22.558, None)},
+    2.5: {1: (8.570, 0.422), 50: (7.011, 2.336)},
+}
+
+# A step that is to be stable all through a run on a mesh that moves
+SAFETY = 0.9
+
+
+def reference(mesh):
+    """The finest run of a panel, which all others are compared with."""
+    return Run(mesh, "twoWay", *STEPS[0])
+
+
+def thick(mesh):
+    return Mesh(mesh.length, THICK, mesh.coarser)
+
+
+def runsOf(study, mesh):
+    """In the paper's steps; the reference first."""
+    def of(scheme, steps, panel=mesh):
+        return [Run(panel, scheme, *step) for step in steps]
+
+    some = [STEPS[0], STEPS[3]]
+    runs = {
+        "twoWay": lambda: of("twoWay", STEPS),
+        "oneWay": lambda: of("oneWay", STEPS),
+        "thick": lambda: of("twoWay", some, thick(mesh))
+        + of("oneWay", some, thick(mesh)),
+        "schemes": lambda: of("twoWay", STEPS[2:4])
+        + of("predictedMotion", STEPS[2:4]) + of("iterated", STEPS[2:4]),
+        "asPrinted": lambda: of("twoWay", AS_PRINTED),
+    }[study]()
+    first = reference(runs[0].mesh)
+    return [first] + [run for run in runs if run != first]
+
+
+STUDIES = ("twoWay", "oneWay", "thick", "schemes", "asPrinted")
+
+
+def stable(run, stableStep):
+    """The run, with the largest stable step where its own is not [us]."""
+    if run.gasStep <= stableStep:
+        return run
+    step = float(f"{SAFETY*stableStep:.2g}")
+    return Run(run.mesh, run.scheme, run.subCycles, step)
+
+
+def percent(value):
+    return "-" if value is None else f"{value:.3g} %"
+
+
+def stepWords(run, wanted):
+    words = f"{run.gasStep:g}"
+    return words if run == wanted else (
+        f"{words} (paper {wanted.gasStep:g}, not stable)")
+
+
+def costRows(pairs, first):
+    """pairs: (run wanted, results)."""
+    for wanted, found in pairs:
+        time, peak = found.peak
+        run = found.run
+        yield [
+            f"`{run.scheme}`", str(run.subCycles), stepWords(run, wanted),
+            f"{run.subCycles*run.gasStep:g}", f"{peak:.3f}", f"{time:.3f}",
+            percent(100*largestDifference(
+                found.displacement, first.displacement)),
+            percent(100*largestDifference(found.pressure, first.pressure)),
+            f"{found.seconds:.1f}", f"{found.seconds/first.seconds:.2f}",
+            percent(found.share["shell"]), percent(found.share["mesh motion"]),
+            f"{first.shell/found.shell:.1f}",
+        ]
+
+
+COST_HEAD = [
+    "scheme", "sub-cycles", "gas step [us]", "shell step [us]", "peak [mm]",
+    "at [ms]", "displacement", "pressure", "processor time [s]",
+    "over the finest's", "shell", "mesh motion", "shell time less [times]",
+]
+
+DIFFERENCE_HEAD = [
+    "panel [mm]", "sub-cycles", "displacement", "paper", "pressure", "paper",
+    "peak one-way [mm]", "two-way [mm]", "displacement, same sub-cycles",
+    "pressure, same",
+]
+
+
+def differenceRows(oneWay, twoWay, first):
+    """oneWay, twoWay: results by sub-cycles."""
+    for n, found in oneWay.items():
+        mesh = found.run.mesh
+        paper = PRINTED[mesh.thickness].get(n, (None, None))
+        same = twoWay.get(n)
+
+        def both(other):
+            return [
+                percent(100*largestDifference(
+                    getattr(found, name), getattr(other, name)))
+                if other else "-" for name in ("displacement", "pressure")]
+
+        u, p = both(first)
+        yield [
+            f"{mesh.length} x {mesh.thickness:g}", str(n), u, percent(paper[0]),
+            p, percent(paper[1]), f"{found.peak[1]:.3f}",
+            f"{first.peak[1]:.3f}", *both(same),
+        ]
