@@ -51,7 +51,7 @@ def test_itWritesItsPage(quick):
     # The loads of ten gas steps ago: about a shell step's delay of a motion
     # that has lasted for ten
     assert float(rows[0][3]) == 0 and 1 < float(rows[1][3]) < 50
-    assert len(re.findall(r"^\| 50 x 1 \| (?:1|10) \|", text, re.M)) == 2
+    assert len(re.findall(r"^\| 50 x 1 \| `oneWay` \| (?:1|10) \|", text, re.M)) == 2
     assert (folder / "pictures/shockPanelStudy50.png").stat().st_size < 150e3
 
 

@@ -14,6 +14,7 @@ sys.path.insert(0, str(PROJECT / "tests" / "tools"))
 from foamCase import FoamCase, RunFailed  # noqa: E402,F401
 
 PROGRAM = "shockShellFoam"
+END, STOP = "\nEnd\n", "FOAM FATAL ERROR:"
 BASE_HEIGHT = 15       # mm, see the blockMeshDict of the base cases
 CELL_OVER_PANEL = 0.5  # mm, the same
 
@@ -58,16 +59,21 @@ class Run:
     scheme: str                 # coupling of couplingProperties
     subCycles: int
     gasStep: float              # us
+    integrator: str = "Newmark"
 
     @property
     def name(self):
         mesh = self.mesh
         return (f"panel{mesh.length}-{mesh.thickness:g}mm-{self.scheme}"
-                f"-{self.subCycles}x{self.gasStep:g}us")
+                f"-{self.subCycles}x{self.gasStep:g}us"
+                + ("" if self.integrator == "Newmark"
+                   else f"-{self.integrator}"))
 
     def done(self, folder):
+        """Ended, or stopped with a message: that is a result too."""
         log = folder / self.name / f"log.{PROGRAM}"
-        return log.exists() and "\nEnd\n" in log.read_text(errors="replace")
+        text = log.read_text(errors="replace") if log.exists() else ""
+        return END in text or STOP in text
 
     def carryOut(self, folder, endTime, timeout):
         """A run in a folder of its own, anew when it did not end before."""
@@ -85,9 +91,14 @@ class Run:
             case.set("system/controlDict", entry, value)
         case.set("constant/couplingProperties", "coupling", self.scheme)
         case.set("constant/couplingProperties", "subCycles", self.subCycles)
+        if self.integrator != "Newmark":
+            case.set("constant/shellProperties", "timeIntegrator",
+                     self.integrator)
         for program in ("blockMesh", "blockShell", "setPointFields"):
             case.run(program)
-        case.run(PROGRAM, timeout=timeout)
+        log = case.run(PROGRAM, timeout=timeout, check=False)
+        if END not in log and not (STOP in log and "\nProgress: " in log):
+            raise RunFailed(f"{case.path}/log.{PROGRAM}:\n{log[-2000:]}")
 
     def setMesh(self, case):
         path = case.path / "system/blockMeshDict"
@@ -124,10 +135,16 @@ class Results:
         number = r"([-+.\de]+)"
         self.seconds = numbers(f"ExecutionTime = {number}")[-1]
         self.nodes = int(numbers(rf"Gas: {number} nodes")[-1])
-        self.share = {
-            phase: numbers(rf"\n    {phase}: \S+ s, {number} %")[-1]
-            for phase in ("gas", "shell", "mesh motion")}
-        self.shell = numbers(rf"\n    shell: {number} s")[-1]
+        self.stopped = None if END in log else re.sub(
+            r"\s+", " ", log.split(STOP)[1].strip().split("\n    The run")[0])
+
+        def phase(name, what):
+            found = numbers(rf"\n    {name}: {what}")
+            return found[-1] if found else None
+
+        self.share = {name: phase(name, rf"\S+ s, {number} %")
+                      for name in ("gas", "shell", "mesh motion")}
+        self.shell = phase("shell", f"{number} s")
         self.stableStep = min(numbers(f"Stable step {number} s"))*1e6  # us
         self.ofStable = max(numbers(rf"step\(s\), {number} of the stable"))
 

@@ -6,6 +6,7 @@ import numpy as np
 TITLES = {
     "twoWay": "two-way", "oneWay": "one-way, and two-way with 1",
     "thick": "2.5 mm thick", "schemes": "schemes",
+    "integrators": "shell by energyMomentum",
     "asPrinted": "200 steps as printed",
 }
 COLOURS = plt.get_cmap("tab10").colors

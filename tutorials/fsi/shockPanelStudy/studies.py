@@ -1,4 +1,6 @@
 """The studies of the paper's sections 4 and 5.1, and what they show."""
+from dataclasses import replace
+
 from panelRun import Mesh, Run, largestDifference
 
 # Sub-cycles and gas steps [us] of section 5.1. For 200 sub-cycles it prints
@@ -42,13 +44,19 @@ def runsOf(study, mesh):
         + of("oneWay", some, thick(mesh)),
         "schemes": lambda: of("twoWay", STEPS[2:4])
         + of("predictedMotion", STEPS[2:4]) + of("iterated", STEPS[2:4]),
+        # The trapezoidal rule of Newmark is not stable for large rotations in
+        # long steps; this integrator is
+        "integrators": lambda: [
+            replace(run, integrator="energyMomentum")
+            for run in of("twoWay", STEPS[3:]) + of("oneWay", STEPS[3:])],
         "asPrinted": lambda: of("twoWay", AS_PRINTED),
     }[study]()
     first = reference(runs[0].mesh)
     return [first] + [run for run in runs if run != first]
 
 
-STUDIES = ("twoWay", "oneWay", "thick", "schemes", "asPrinted")
+STUDIES = (
+    "twoWay", "oneWay", "thick", "schemes", "integrators", "asPrinted")
 
 
 def stable(run, stableStep):
@@ -56,7 +64,7 @@ def stable(run, stableStep):
     if run.gasStep <= stableStep:
         return run
     step = float(f"{SAFETY*stableStep:.2g}")
-    return Run(run.mesh, run.scheme, run.subCycles, step)
+    return replace(run, gasStep=step)
 
 
 def percent(value):
@@ -69,20 +77,35 @@ def stepWords(run, wanted):
         f"{words} (paper {wanted.gasStep:g}, not stable)")
 
 
+def schemeWords(found):
+    words = f"`{found.run.scheme}`"
+    if found.run.integrator != "Newmark":
+        words += f" `{found.run.integrator}`"
+    return words if not found.stopped else (
+        f"{words}, stopped after {found.displacement[0][-1]:.3g} ms")
+
+
+def stops(results):
+    """Why runs did not get to the end."""
+    return [f"- {found.run.name} stopped: {found.stopped}"
+            for found in results if found.stopped]
+
+
 def costRows(pairs, first):
     """pairs: (run wanted, results)."""
     for wanted, found in pairs:
         time, peak = found.peak
         run = found.run
         yield [
-            f"`{run.scheme}`", str(run.subCycles), stepWords(run, wanted),
+            schemeWords(found), str(run.subCycles), stepWords(run, wanted),
             f"{run.subCycles*run.gasStep:g}", f"{peak:.3f}", f"{time:.3f}",
             percent(100*largestDifference(
                 found.displacement, first.displacement)),
             percent(100*largestDifference(found.pressure, first.pressure)),
-            f"{found.seconds:.1f}", f"{found.seconds/first.seconds:.2f}",
+            f"{found.seconds:.1f}",
+            "-" if found.stopped else f"{found.seconds/first.seconds:.2f}",
             percent(found.share["shell"]), percent(found.share["mesh motion"]),
-            f"{first.shell/found.shell:.1f}",
+            "-" if found.stopped else f"{first.shell/found.shell:.1f}",
         ]
 
 
@@ -93,28 +116,32 @@ COST_HEAD = [
 ]
 
 DIFFERENCE_HEAD = [
-    "panel [mm]", "sub-cycles", "displacement", "paper", "pressure", "paper",
+    "panel [mm]", "scheme", "sub-cycles", "displacement", "paper", "pressure", "paper",
     "peak one-way [mm]", "two-way [mm]", "displacement, same sub-cycles",
     "pressure, same",
 ]
 
 
-def differenceRows(oneWay, twoWay, first):
-    """oneWay, twoWay: results by sub-cycles."""
-    for n, found in oneWay.items():
-        mesh = found.run.mesh
+def differenceRows(found, first):
+    """found: results of a panel, from which the one-way ones are taken."""
+    twoWay = {(f.run.integrator, f.run.subCycles): f for f in found
+              if f.run.scheme == "twoWay"}
+    for one in found:
+        mesh, n = one.run.mesh, one.run.subCycles
+        if one.run.scheme != "oneWay":
+            continue
         paper = PRINTED[mesh.thickness].get(n, (None, None))
-        same = twoWay.get(n)
 
         def both(other):
             return [
                 percent(100*largestDifference(
-                    getattr(found, name), getattr(other, name)))
+                    getattr(one, name), getattr(other, name)))
                 if other else "-" for name in ("displacement", "pressure")]
 
         u, p = both(first)
         yield [
-            f"{mesh.length} x {mesh.thickness:g}", str(n), u, percent(paper[0]),
-            p, percent(paper[1]), f"{found.peak[1]:.3f}",
-            f"{first.peak[1]:.3f}", *both(same),
+            f"{mesh.length} x {mesh.thickness:g}", schemeWords(one), str(n),
+            u, percent(paper[0]), p, percent(paper[1]), f"{one.peak[1]:.3f}",
+            f"{first.peak[1]:.3f}",
+            *both(twoWay.get((one.run.integrator, n))),
         ]

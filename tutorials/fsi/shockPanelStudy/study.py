@@ -4,11 +4,12 @@
            [-quick] [-runs <folder>] [-page <file> | -noPage] [-limit <s>]
 
 Studies, all but asPrinted by default:
-  twoWay     1, 5, 10, 50, 100, 200 gas steps per shell step
-  oneWay     the same one-way, and its largest differences from two-way
-  thick      a panel of 2.5 mm, one-way and two-way, with 1 and 50
-  schemes    predictedMotion and iterated beside twoWay, with 10 and 50
-  asPrinted  200 gas steps of 0.00625 us, 80 times the others' cost
+  twoWay       1, 5, 10, 50, 100, 200 gas steps per shell step
+  oneWay       the same one-way, and its largest differences from two-way
+  thick        a panel of 2.5 mm, one-way and two-way, with 1 and 50
+  schemes      predictedMotion and iterated beside twoWay, with 10 and 50
+  integrators  50, 100, 200 two-way and one-way, shell by energyMomentum
+  asPrinted    200 gas steps of 0.00625 us, 80 times the others' cost
 
   -length    one panel alone
   -endTime   default 1.5e-3
@@ -27,7 +28,7 @@ from pathlib import Path
 from panelRun import HERE, PROJECT, Mesh, RunFailed
 from studies import (
     COST_HEAD, DIFFERENCE_HEAD, STUDIES, costRows, differenceRows, reference,
-    runsOf, stable, thick,
+    runsOf, stable, stops, thick,
 )
 
 sys.path.insert(0, str(PROJECT / "tests" / "benchmarks" / "common"))
@@ -102,7 +103,9 @@ class Studies:
         found = run.results(self.folder)
         print(f"{run.name}: {found.seconds:.1f} s, peak {found.peak[1]:.3f} mm"
               f" at {found.peak[0]:.3f} ms, up to {found.ofStable:.2f} of the"
-              " stable step", flush=True)
+              " stable step", *stops([found]), sep="\n", flush=True)
+        if run == first and found.stopped:
+            sys.exit("no other run can be compared without it")
         if found.ofStable > 1:
             print(f"{run.name}: its steps were not stable, it is left out",
                   file=sys.stderr)
@@ -116,24 +119,20 @@ class Studies:
 
     def costs(self, length):
         """Rows of the studies with two-way schemes; without doubles."""
-        runs = [r for study in ("twoWay", "schemes", "asPrinted")
+        runs = [r for study in ("twoWay", "schemes", "integrators", "asPrinted")
                 if study in self.options.study
-                for r in self.runsOf(study, length)]
+                for r in self.runsOf(study, length) if r.scheme != "oneWay"]
         pairs = self.found(dict.fromkeys(runs))
         return list(costRows(pairs, pairs[0][1])) if pairs else []
 
     def differences(self, length):
         mesh = Mesh(length, coarser=self.options.coarser)
         for panel in (mesh, thick(mesh)):
-            every = self.found(
-                [r for r in self.results if r.mesh == panel])
-            schemes = {
-                scheme: {run.subCycles: found for run, found in every
-                         if run.scheme == scheme}
-                for scheme in ("oneWay", "twoWay")}
-            if schemes["oneWay"]:
+            found = [result for run, result in self.results.items()
+                     if run.mesh == panel]
+            if found:
                 yield from differenceRows(
-                    *schemes.values(), self.results[reference(panel)])
+                    found, self.results[reference(panel)])
 
 
 def text(studies):
@@ -158,6 +157,10 @@ def text(studies):
         yield ("\nOne-way; its difference from the two-way run of 1 sub-cycle,"
                " beside the paper's, and from that of as many sub-cycles:\n")
         yield table(DIFFERENCE_HEAD, rows)
+    reasons = stops(studies.results.values())
+    if reasons:
+        yield ("\nRuns that stopped are compared as far as they went:\n")
+        yield "\n".join(reasons)
 
 
 def main():
