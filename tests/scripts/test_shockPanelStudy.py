@@ -107,6 +107,18 @@ def test_stepsThatAreNotStableAreMadeSmaller():
     assert "paper 1, not stable" in studies.stepWords(less, run)
 
 
+def test_runsThatStopSayWhy():
+    """Without the program's advice, which names files of one machine."""
+    advice = "\n    The run ends at ratios of 0\n\n    From function\n"
+    log = f"\nTime = 1\n\n--> {panelRun.STOP} \nThe cell\n    is flat{advice}"
+    assert panelRun.reason(log) == "The cell is flat"
+    failed = "The step from 0 to 1 failed:\n10  residual 1\n\n"
+    assert panelRun.reason(panelRun.STOP + failed) == (
+        "The step from 0 to 1 failed")
+    assert not panelRun.stoppedLate(log)
+    assert panelRun.stoppedLate("\nProgress: 1 %" + log)
+
+
 def test_peakBetweenInstants():
     t = np.arange(0, 2, 0.2)
     found = panelRun.Results.__new__(panelRun.Results)

@@ -19,6 +19,17 @@ BASE_HEIGHT = 15       # mm, see the blockMeshDict of the base cases
 CELL_OVER_PANEL = 0.5  # mm, the same
 
 
+def stoppedLate(log):
+    """Did the program stop with a message, but after some steps?"""
+    return STOP in log and "\nProgress: " in log
+
+
+def reason(log):
+    """What the program says about why it stopped: up to its advice."""
+    said = log.split(STOP)[-1].strip()
+    return re.sub(r"\s+", " ", re.split(r"\n    The run |:?\n\d|\n\n", said)[0])
+
+
 @dataclass(frozen=True)
 class Mesh:
     """coarser: cell sizes are this many times those of the base case."""
@@ -73,7 +84,7 @@ class Run:
         """Ended, or stopped with a message: that is a result too."""
         log = folder / self.name / f"log.{PROGRAM}"
         text = log.read_text(errors="replace") if log.exists() else ""
-        return END in text or STOP in text
+        return END in text or stoppedLate(text)
 
     def carryOut(self, folder, endTime, timeout):
         """A run in a folder of its own, anew when it did not end before."""
@@ -97,8 +108,8 @@ class Run:
         for program in ("blockMesh", "blockShell", "setPointFields"):
             case.run(program)
         log = case.run(PROGRAM, timeout=timeout, check=False)
-        if END not in log and not (STOP in log and "\nProgress: " in log):
-            raise RunFailed(f"{case.path}/log.{PROGRAM}:\n{log[-2000:]}")
+        if END not in log and not stoppedLate(log):
+            raise RunFailed(f"in its first step: {reason(log)}")
 
     def setMesh(self, case):
         path = case.path / "system/blockMeshDict"
@@ -135,8 +146,7 @@ class Results:
         number = r"([-+.\de]+)"
         self.seconds = numbers(f"ExecutionTime = {number}")[-1]
         self.nodes = int(numbers(rf"Gas: {number} nodes")[-1])
-        self.stopped = None if END in log else re.sub(
-            r"\s+", " ", log.split(STOP)[1].strip().split("\n    The run")[0])
+        self.stopped = None if END in log else reason(log)
 
         def phase(name, what):
             found = numbers(rf"\n    {name}: {what}")

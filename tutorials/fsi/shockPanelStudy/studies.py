@@ -48,7 +48,8 @@ def runsOf(study, mesh):
         # long steps; this integrator is
         "integrators": lambda: [
             replace(run, integrator="energyMomentum")
-            for run in of("twoWay", STEPS[3:]) + of("oneWay", STEPS[3:])],
+            for run in of("twoWay", STEPS[3:]) + of("oneWay", STEPS[3:])
+            + of("predictedMotion", STEPS[3:4]) + of("iterated", STEPS[3:4])],
         "asPrinted": lambda: of("twoWay", AS_PRINTED),
     }[study]()
     first = reference(runs[0].mesh)

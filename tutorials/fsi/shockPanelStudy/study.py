@@ -8,7 +8,8 @@ Studies, all but asPrinted by default:
   oneWay       the same one-way, and its largest differences from two-way
   thick        a panel of 2.5 mm, one-way and two-way, with 1 and 50
   schemes      predictedMotion and iterated beside twoWay, with 10 and 50
-  integrators  50, 100, 200 two-way and one-way, shell by energyMomentum
+  integrators  50, 100, 200 two-way and one-way, 50 by the other schemes, with
+               the shell by energyMomentum
   asPrinted    200 gas steps of 0.00625 us, 80 times the others' cost
 
   -length    one panel alone
@@ -78,6 +79,7 @@ class Studies:
     def __init__(self, options):
         self.options = options
         self.results = {}
+        self.failed = []    # why a run has no results at all
         self.folder = options.runs / (
             f"{options.endTime*1e3:g}ms-cells{options.coarser}")
 
@@ -157,7 +159,7 @@ def text(studies):
         yield ("\nOne-way; its difference from the two-way run of 1 sub-cycle,"
                " beside the paper's, and from that of as many sub-cycles:\n")
         yield table(DIFFERENCE_HEAD, rows)
-    reasons = stops(studies.results.values())
+    reasons = stops(studies.results.values()) + sorted(set(studies.failed))
     if reasons:
         yield ("\nRuns that stopped are compared as far as they went:\n")
         yield "\n".join(reasons)
@@ -176,8 +178,10 @@ def main():
                 try:
                     studies.run(run)
                 except RunFailed as problem:
-                    print(f"{run.name} is left out: {problem}",
-                          file=sys.stderr)
+                    print(f"{run.name} is left out, stopped {problem}",
+                          f"    see its folder in {studies.folder}",
+                          sep="\n", file=sys.stderr)
+                    studies.failed.append(f"- {run.name} stopped {problem}")
                     if run == reference(run.mesh):
                         return 1
     words = list(text(studies))
