@@ -112,7 +112,7 @@ def test_runsThatStopSayWhy():
     advice = "\n    The run ends at ratios of 0\n\n    From function\n"
     log = f"\nTime = 1\n\n--> {panelRun.STOP} \nThe cell\n    is flat{advice}"
     assert panelRun.reason(log) == "The cell is flat"
-    failed = "The step from 0 to 1 failed:\n10  residual 1\n\n"
+    failed = "The step from 0 to 1 failed:\n 0  residual 1\n10  residual 1\n\n"
     assert panelRun.reason(panelRun.STOP + failed) == (
         "The step from 0 to 1 failed")
     assert not panelRun.stoppedLate(log)

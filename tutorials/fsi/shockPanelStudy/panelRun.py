@@ -27,7 +27,8 @@ def stoppedLate(log):
 def reason(log):
     """What the program says about why it stopped: up to its advice."""
     said = log.split(STOP)[-1].strip()
-    return re.sub(r"\s+", " ", re.split(r"\n    The run |:?\n\d|\n\n", said)[0])
+    first = re.split(r"\n    The run |:?\n *\d|\n\n", said)[0]
+    return re.sub(r"\s+", " ", first)
 
 
 @dataclass(frozen=True)
@@ -71,14 +72,20 @@ class Run:
     subCycles: int
     gasStep: float              # us
     integrator: str = "Newmark"
+    pRef: float = 0             # Pa, pressure that the shell starts in
+
+    @property
+    def variant(self):
+        """What differs from the paper's shell, in words for a file's name."""
+        return "".join(
+            [f"-{self.integrator}" if self.integrator != "Newmark" else "",
+             f"-pRef{self.pRef:g}" if self.pRef else ""])
 
     @property
     def name(self):
         mesh = self.mesh
         return (f"panel{mesh.length}-{mesh.thickness:g}mm-{self.scheme}"
-                f"-{self.subCycles}x{self.gasStep:g}us"
-                + ("" if self.integrator == "Newmark"
-                   else f"-{self.integrator}"))
+                f"-{self.subCycles}x{self.gasStep:g}us{self.variant}")
 
     def done(self, folder):
         """Ended, or stopped with a message: that is a result too."""
@@ -102,6 +109,8 @@ class Run:
             case.set("system/controlDict", entry, value)
         case.set("constant/couplingProperties", "coupling", self.scheme)
         case.set("constant/couplingProperties", "subCycles", self.subCycles)
+        if self.pRef:
+            case.set("constant/couplingProperties", "pRef", f"{self.pRef:g}")
         if self.integrator != "Newmark":
             case.set("constant/shellProperties", "timeIntegrator",
                      self.integrator)

@@ -7,13 +7,14 @@ TITLES = {
     "twoWay": "two-way", "oneWay": "one-way, and two-way with 1",
     "thick": "2.5 mm thick", "schemes": "schemes",
     "integrators": "shell by energyMomentum",
+    "pRef": "shell in ambient pressure from the start (pRef)",
     "asPrinted": "200 steps as printed",
 }
 COLOURS = plt.get_cmap("tab10").colors
 
 
 def label(run):
-    return f"{run.scheme}, {run.subCycles} x {run.gasStep:g} us"
+    return f"{run.scheme}, {run.subCycles} x {run.gasStep:g} us{run.variant}"
 
 
 def drawReference(axes, length, folder):
@@ -35,7 +36,7 @@ def pictures(studies, length, folder):
              for name in studies.options.study]
     drawn = [(name, runs) for name, runs in drawn if runs]
     figure, grid = plt.subplots(
-        len(drawn), 2, figsize=(11, 3*len(drawn)), squeeze=False)
+        len(drawn), 2, figsize=(10, 2.5*len(drawn)), squeeze=False)
     end = 1e3*studies.options.endTime
     for (name, runs), axes in zip(drawn, grid):
         for n, (_, found) in enumerate(runs):
@@ -54,6 +55,6 @@ def pictures(studies, length, folder):
     figure.tight_layout()
     folder.mkdir(exist_ok=True)
     path = folder / f"shockPanelStudy{length}.png"
-    figure.savefig(path, dpi=70)
+    figure.savefig(path, dpi=60)
     plt.close(figure)
     return [f"\n![histories, {length} mm](pictures/{path.name})"]

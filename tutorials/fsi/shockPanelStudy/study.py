@@ -1,15 +1,17 @@
 """The paper's studies of the shock-tube panel, for both lengths.
 
     Allrun [<study> ...] [-length 50|40] [-endTime <s>] [-coarser <n>]
-           [-quick] [-runs <folder>] [-page <file> | -noPage] [-limit <s>]
+           [-quick] [-runs <folder>] [-noRuns] [-page <file> | -noPage]
+           [-limit <s>]
 
-Studies, all but asPrinted by default:
+Studies, all but the last two by default:
   twoWay       1, 5, 10, 50, 100, 200 gas steps per shell step
   oneWay       the same one-way, and its largest differences from two-way
   thick        a panel of 2.5 mm, one-way and two-way, with 1 and 50
   schemes      predictedMotion and iterated beside twoWay, with 10 and 50
-  integrators  50, 100, 200 two-way and one-way, 50 by the other schemes, with
-               the shell by energyMomentum
+  pRef         50, 100, 200 two-way and one-way, 50 by the other schemes; the
+               shell in ambient pressure from the start
+  integrators  the same without, but the shell by energyMomentum
   asPrinted    200 gas steps of 0.00625 us, 80 times the others' cost
 
   -length    one panel alone
@@ -18,6 +20,7 @@ Studies, all but asPrinted by default:
              which a gas step of 1 us is stable, as the paper's runs need
   -quick     a small mesh and 0.1 ms, few runs, no page unless it is named
   -runs      folder of the runs; runs that are there are not run again
+  -noRuns    run nothing, show what is there
   -page      default doc/verification.md; the pictures go to pictures/ beside it
   -noPage    print only
   -limit     seconds that one run may take, default 3600
@@ -28,8 +31,8 @@ from pathlib import Path
 
 from panelRun import HERE, PROJECT, Mesh, RunFailed
 from studies import (
-    COST_HEAD, DIFFERENCE_HEAD, STUDIES, costRows, differenceRows, reference,
-    runsOf, stable, stops, thick,
+    COST_HEAD, DIFFERENCE_HEAD, STUDIES, USUAL, costRows, differenceRows,
+    reference, runsOf, stable, stops, thick,
 )
 
 sys.path.insert(0, str(PROJECT / "tests" / "benchmarks" / "common"))
@@ -49,6 +52,7 @@ def options(words):
     parser.add_argument("-coarser", type=int, choices=range(1, 9))
     parser.add_argument("-quick", action="store_true")
     parser.add_argument("-runs", type=Path, default=HERE / "runs")
+    parser.add_argument("-noRuns", action="store_true")
     parser.add_argument("-page", type=Path)
     parser.add_argument("-noPage", action="store_true")
     parser.add_argument("-limit", type=float, default=3600)
@@ -63,7 +67,7 @@ def options(words):
     found.endTime = found.endTime or (1e-4 if found.quick else 1.5e-3)
     found.coarser = found.coarser or (4 if found.quick else 2)
     found.study = found.study or (
-        ["oneWay"] if found.quick else STUDIES[:-1])
+        ["oneWay"] if found.quick else USUAL)
     found.lengths = [found.length] if found.length else (
         LENGTHS[:1] if found.quick else LENGTHS)
     if not found.page and not found.quick:
@@ -95,11 +99,15 @@ class Studies:
             return
         run, first = wanted, reference(wanted.mesh)
         if wanted != first:
+            if first not in self.results:
+                return
             run = stable(wanted, self.results[first].stableStep)
         if run != wanted:
             print(f"{wanted.name}: its gas step is not stable on this mesh,"
                   f" {run.gasStep:g} us instead", flush=True)
         if not run.done(self.folder):
+            if self.options.noRuns:
+                return
             run.carryOut(self.folder, self.options.endTime,
                          self.options.limit)
         found = run.results(self.folder)
@@ -121,7 +129,8 @@ class Studies:
 
     def costs(self, length):
         """Rows of the studies with two-way schemes; without doubles."""
-        runs = [r for study in ("twoWay", "schemes", "integrators", "asPrinted")
+        runs = [r for study in ("twoWay", "schemes", "pRef", "integrators",
+                              "asPrinted")
                 if study in self.options.study
                 for r in self.runsOf(study, length) if r.scheme != "oneWay"]
         pairs = self.found(dict.fromkeys(runs))
@@ -144,8 +153,8 @@ def text(studies):
         f"Up to {options.endTime*1e3:g} ms; cells {options.coarser} times the"
         f" size of those of `tutorials/fsi/shockPanel50`, {nodes:,} nodes of"
         " the gas at most. A difference is the largest one over the run,"
-        " divided by the largest value of the run compared with. A peak at the"
-        " end of the run is none.")
+        " divided by the largest value of the run compared with. The shares of"
+        " the shell and of the mesh motion are of the elapsed time.")
     for length in options.lengths:
         rows = studies.costs(length)
         if rows:
@@ -184,6 +193,8 @@ def main():
                     studies.failed.append(f"- {run.name} stopped {problem}")
                     if run == reference(run.mesh):
                         return 1
+    if not studies.results:
+        sys.exit(f"shockPanelStudy: error: no run in {studies.folder}")
     words = list(text(studies))
     print("\n".join(words))
     if chosen.page:
