@@ -89,9 +89,12 @@ class Run:
 
     def done(self, folder):
         """Ended, or stopped with a message: that is a result too."""
-        log = folder / self.name / f"log.{PROGRAM}"
-        text = log.read_text(errors="replace") if log.exists() else ""
+        text = self.log(folder)
         return END in text or stoppedLate(text)
+
+    def log(self, folder):
+        log = folder / self.name / f"log.{PROGRAM}"
+        return log.read_text(errors="replace") if log.exists() else ""
 
     def carryOut(self, folder, endTime, timeout):
         """A run in a folder of its own, anew when it did not end before."""
@@ -116,9 +119,17 @@ class Run:
                      self.integrator)
         for program in ("blockMesh", "blockShell", "setPointFields"):
             case.run(program)
-        log = case.run(PROGRAM, timeout=timeout, check=False)
-        if END not in log and not stoppedLate(log):
-            raise RunFailed(f"in its first step: {reason(log)}")
+        case.run(PROGRAM, timeout=timeout, check=False)
+        self.check(folder)
+
+    def check(self, folder):
+        """Raise when there is nothing that could be a result."""
+        text = self.log(folder)
+        if self.done(folder):
+            return
+        raise RunFailed(
+            f"in its first step: {reason(text)}" if STOP in text
+            else "without a message; the end of its log:\n" + text[-500:])
 
     def setMesh(self, case):
         path = case.path / "system/blockMeshDict"

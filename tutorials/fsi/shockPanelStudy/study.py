@@ -107,6 +107,8 @@ class Studies:
                   f" {run.gasStep:g} us instead", flush=True)
         if not run.done(self.folder):
             if self.options.noRuns:
+                if run.log(self.folder):
+                    run.check(self.folder)
                 return
             run.carryOut(self.folder, self.options.endTime,
                          self.options.limit)
