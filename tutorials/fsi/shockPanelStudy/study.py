@@ -15,7 +15,7 @@ Studies, all but the last two by default:
   asPrinted    200 gas steps of 0.00625 us, 80 times the others' cost
 
   -length    one panel alone
-  -endTime   default 1.5e-3
+  -endTime   default 3e-3
   -coarser   cells this many times the size of shockPanel50's; default 2, on
              which a gas step of 1 us is stable, as the paper's runs need
   -quick     a small mesh and 0.1 ms, few runs, no page unless it is named
@@ -64,7 +64,7 @@ def options(words):
     unknown = [name for name in found.study if name not in STUDIES]
     if unknown:
         parser.error(f"no study {unknown[0]}; choose from {', '.join(STUDIES)}")
-    found.endTime = found.endTime or (1e-4 if found.quick else 1.5e-3)
+    found.endTime = found.endTime or (1e-4 if found.quick else 3e-3)
     found.coarser = found.coarser or (4 if found.quick else 2)
     found.study = found.study or (
         ["oneWay"] if found.quick else USUAL)
