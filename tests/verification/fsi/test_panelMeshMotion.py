@@ -231,3 +231,22 @@ def test_sameAnswerOnSeveralProcesses(panel, tmp_path, n):
              for c in (panel, case)]
     assert lines[0][0] == lines[1][0]
     assert float(lines[0][1]) == pytest.approx(float(lines[1][1]), rel=1e-12)
+
+
+@pytest.mark.parametrize("scheme", ["predictedMotion", "iterated"])
+def test_gasFirstOnTwoProcesses(tmp_path, scheme):
+    """The interface's motion of both together is predicted and iterated."""
+    tips = []
+    for parts in (1, 2):
+        case = Panel(tmp_path / str(parts))
+        case.set("constant/couplingProperties", "coupling", scheme)
+        if parts == 1:
+            case.runs()
+        else:
+            (case.path / "system" / "decomposeParDict").write_text(
+                SIMPLE.format(parts=parts, n="(1 2 1)"))
+            case.run("decomposePar")
+            case.log = case.runParallel(parts, "shockShellFoam")
+        tips.append(case.tip())
+    np.testing.assert_allclose(tips[1], tips[0], rtol=0,
+                               atol=1e-9*abs(tips[0][:, 1:]).max())
