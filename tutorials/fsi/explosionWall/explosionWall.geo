@@ -19,7 +19,7 @@ DefineConstant[
 
     // Edges: in the bulb, and their growth with the distance from it
     bulbSize = 0.045,
-    bulbGrowth = 0.058,
+    bulbGrowth = 0.056,
 
     // Edges in the cone about the gauge line, which leads away from the wall:
     // proportional to the distance from the bulb's centre, but not below
