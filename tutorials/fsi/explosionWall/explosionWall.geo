@@ -14,6 +14,9 @@ DefineConstant[
     wallThickness = 0.1,
     outerRadius = 8,
 
+    // With more than 1: more gas, up to this many outer radii (Allrun -wide)
+    reach = 1,
+
     // All sizes are multiplied with this: 2 coarse, 1 standard, 0.5 fine
     coarser = 1,
 
@@ -38,19 +41,30 @@ DefineConstant[
 
 // Quarter of a ball, less the wall
 Sphere(1) = {-standOff, 0, 0, outerRadius};
-Box(2) =
-    {-standOff - 2*outerRadius, 0, 0, 4*outerRadius, 2*outerRadius, 2*outerRadius};
-BooleanIntersection(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+Box(2) = {-standOff - 2*reach*outerRadius, 0, 0,
+    4*reach*outerRadius, 2*reach*outerRadius, 2*reach*outerRadius};
+BooleanIntersection(3) = { Volume{1}; Delete; }{ Volume{2}; };
 Box(4) = {0, -1, -1, wallThickness, wallHeight + 1, wallHalfWidth + 1};
-BooleanDifference(5) = { Volume{3}; Delete; }{ Volume{4}; Delete; };
+BooleanDifference(5) = { Volume{3}; }{ Volume{4}; Delete; };
+
+gas() = {5};
+If (reach > 1)
+    Sphere(6) = {-standOff, 0, 0, reach*outerRadius};
+    BooleanIntersection(7) = { Volume{6}; Delete; }{ Volume{2}; };
+    BooleanDifference(8) = { Volume{7}; Delete; }{ Volume{3}; };
+    BooleanFragments{ Volume{5}; Delete; }{ Volume{8}; Delete; }
+    Physical Volume("beyond") = {8};
+    gas() = {5, 8};
+EndIf
+Recursive Delete { Volume{2}; Volume{3}; }
 
 e = 1e-4;
-far = 4*outerRadius;
+far = 4*reach*outerRadius;
 symmetry() = Surface In BoundingBox {-far, -far, -e, far, far, e};
 ground() = Surface In BoundingBox {-far, -e, -far, far, e, far};
 wall() = Surface In BoundingBox
     {-e, -e, -e, wallThickness + e, wallHeight + e, wallHalfWidth + e};
-outer() = Abs(Boundary { Volume{5}; });
+outer() = Abs(CombinedBoundary { Volume{gas()}; });
 outer() -= symmetry();
 outer() -= ground();
 outer() -= wall();
