@@ -17,6 +17,9 @@ DefineConstant[
     // With more than 1: more gas, up to this many outer radii (Allrun -wide)
     reach = 1,
 
+    // With 1: only the gas away from the wall, x < -standOff (Allrun -freeField)
+    freeField = 0,
+
     // All sizes are multiplied with this: 2 coarse, 1 standard, 0.5 fine
     coarser = 1,
 
@@ -39,12 +42,17 @@ DefineConstant[
     largest = 1
 ];
 
-// Quarter of a ball, less the wall
+// Quarter of a ball, less the wall, or an eighth of it
 Sphere(1) = {-standOff, 0, 0, outerRadius};
 Box(2) = {-standOff - 2*reach*outerRadius, 0, 0,
     4*reach*outerRadius, 2*reach*outerRadius, 2*reach*outerRadius};
 BooleanIntersection(3) = { Volume{1}; Delete; }{ Volume{2}; };
-Box(4) = {0, -1, -1, wallThickness, wallHeight + 1, wallHalfWidth + 1};
+If (freeField)
+    Box(4) = {-standOff, -1, -1,
+        2*outerRadius, 2*outerRadius, 2*outerRadius};
+Else
+    Box(4) = {0, -1, -1, wallThickness, wallHeight + 1, wallHalfWidth + 1};
+EndIf
 BooleanDifference(5) = { Volume{3}; }{ Volume{4}; Delete; };
 
 gas() = {5};
@@ -64,6 +72,10 @@ symmetry() = Surface In BoundingBox {-far, -far, -e, far, far, e};
 ground() = Surface In BoundingBox {-far, -e, -far, far, e, far};
 wall() = Surface In BoundingBox
     {-e, -e, -e, wallThickness + e, wallHeight + e, wallHalfWidth + e};
+If (freeField)
+    wall() = Surface In BoundingBox
+        {-standOff - e, -far, -far, -standOff + e, far, far};
+EndIf
 outer() = Abs(CombinedBoundary { Volume{gas()}; });
 outer() -= symmetry();
 outer() -= ground();
