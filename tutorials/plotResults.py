@@ -58,8 +58,10 @@ class InPanel(argparse.Action):
             if not 2 <= len(values):
                 parser.error(f"{option} wants FILE COLUMNS [LABEL]")
             panels[-1].curves.append((self.dest, values))
+        elif self.dest == "mean":
+            panels[-1].means.append(values)
         else:
-            setattr(panels[-1], self.dest, values if self.nargs else True)
+            setattr(panels[-1], self.dest, values)
 
 
 class Flag(InPanel):
@@ -100,6 +102,13 @@ def addHistory(parser):
     parser.add_argument("--yRange", nargs=2, type=float, action=InPanel,
                         metavar=("LOW", "HIGH"))
     parser.add_argument("--logY", action=Flag)
+    parser.add_argument("--mean", nargs=2, type=float, action=InPanel,
+                        metavar=("LOW", "HIGH"), help="print the curves' mean"
+                        " over this part of the abscissa; may be repeated")
+    parser.add_argument("--within", type=float, action=InPanel,
+                        metavar="PERCENT", help="exit code 1 when a curve is"
+                        " further off the reference given at the same place"
+                        " of its panel, in percent of that one's largest value")
     parser.add_argument("--logX", action="store_true")
     parser.add_argument("--xLabel", default="time [s]")
     parser.add_argument("--xRange", nargs=2, type=float,
@@ -127,7 +136,8 @@ def addField(parser):
     addColours(parser)
     where = parser.add_mutually_exclusive_group()
     where.add_argument("--plane", nargs=2, type=vector,
-                       metavar=("'(POINT)'", "'(NORMAL)'"))
+                       metavar=("POINT", "NORMAL"),
+                       help="cut by a plane, as '(0 0 1)' '(0 0 1)'")
     where.add_argument("--patch", action="append", metavar="NAME",
                        help="a plane patch; may be repeated")
     parser.add_argument("--crop", nargs=4, type=float,
@@ -146,8 +156,9 @@ def addScene(parser):
     parser.add_argument("--patch", action="append", metavar="NAME",
                         default=[], help="may be repeated")
     parser.add_argument("--plane", nargs=2, type=vector, action="append",
-                        default=[], metavar=("'(POINT)'", "'(NORMAL)'"),
-                        help="may be repeated")
+                        default=[], metavar=("POINT", "NORMAL"),
+                        help="cut by a plane, as '(0 0 1)' '(0 0 1)'; may be"
+                        " repeated")
     parser.add_argument("--shell", nargs="?", const="displacement",
                         metavar="FIELD", help="the shell with a field of its"
                         " VTK series (displacement)")
@@ -199,7 +210,7 @@ def drawn(options):
         figure = histories.draw(
             options.case, options.panels, options.xLabel, options.title,
             options.xRange, options.size, options.logX)
-        return figure, histories.extrema(options.case, options.panels)
+        return figure, histories.figures(options.case, options.panels)
     draw = fields.draw if options.command == "field" else scenes.draw
     return draw(Case(options.case), options)
 
@@ -211,9 +222,16 @@ def main():
         for line in said:
             print(line)
         figure.savefig(options.picture, dpi=DPI)
+        print(f"picture: {options.picture}")
+        if options.command == "history":
+            held = list(histories.deviations(options.case, options.panels))
+            for line, _ in held:
+                print(line)
+            if not all(good for _, good in held):
+                sys.exit("plotResults.py: error: a deviation is above its"
+                         " bound")
     except (PlotError, OSError) as problem:
         sys.exit(f"plotResults.py: error: {problem}")
-    print(f"picture: {options.picture}")
 
 
 if __name__ == "__main__":
