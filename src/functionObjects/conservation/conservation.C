@@ -44,7 +44,7 @@ Foam::functionObjects::conservation::conservation
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    account_(mesh_)
+    account_(mesh_, dict.getOrDefault<scalar>("ambient", 0))
 {
     if (!account_.checkIn())
     {

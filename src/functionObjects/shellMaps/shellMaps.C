@@ -61,7 +61,7 @@ Foam::functionObjects::shellMaps::shellMaps
     timeFunctionObject(name, runTime)
 {
     read(dict);
-    start();
+    start(dict);
 }
 
 
@@ -77,7 +77,7 @@ bool Foam::functionObjects::shellMaps::read(const dictionary& dict)
 }
 
 
-void Foam::functionObjects::shellMaps::start()
+void Foam::functionObjects::shellMaps::start(const dictionary& dict)
 {
     dictionary options(shell().properties().subOrEmptyDict("results"));
     options.set("fields", wordList());
@@ -90,7 +90,7 @@ void Foam::functionObjects::shellMaps::start()
     (
         new positionalShell::ShellResults(shell().model(), resultOptions)
     );
-    continuePeaks(label(results_->points().size()));
+    continuePeaks(dict, label(results_->points().size()));
     vtk_.reset
     (
         new shellVTK(time_, shell().model(), name(), std::move(points))
@@ -99,7 +99,11 @@ void Foam::functionObjects::shellMaps::start()
 }
 
 
-void Foam::functionObjects::shellMaps::continuePeaks(const label nPoints)
+void Foam::functionObjects::shellMaps::continuePeaks
+(
+    const dictionary& dict,
+    const label nPoints
+)
 {
     for (peaks& p : peaks_)
     {
@@ -115,12 +119,12 @@ void Foam::functionObjects::shellMaps::continuePeaks(const label nPoints)
     const scalarIOField all(shellFile(time_, folder, name()));
     if (all.size() != 2*nFields*nPoints)
     {
-        FatalErrorInFunction
+        FatalIOErrorInFunction(dict)
             << all.objectPath() << " holds " << all.size()
             << " values, but the shell has " << nPoints << " points, which need"
             << ' ' << 2*nFields*nPoints << nl
             << "    Restart with the mesh of the earlier run, or remove the"
-            << " file to begin the peaks anew" << nl << exit(FatalError);
+            << " file to begin the peaks anew" << nl << exit(FatalIOError);
     }
     label i = 0;
     for (peaks& p : peaks_)

@@ -43,7 +43,11 @@ Foam::scalarList Foam::gasAccount::amounts(const gasTotals& totals)
 }
 
 
-Foam::gasAccount::gasAccount(const polyMesh& mesh)
+Foam::gasAccount::gasAccount
+(
+    const polyMesh& mesh,
+    const scalar ambient
+)
 :
     regIOobject
     (
@@ -53,7 +57,8 @@ Foam::gasAccount::gasAccount(const polyMesh& mesh)
             IOobject::NO_READ, IOobject::NO_WRITE
         )
     ),
-    gas_(nullptr)
+    gas_(nullptr),
+    ambient_(ambient)
 {
     now_.sources = scalarList(nAmounts, Zero);
     now_.held = now_.sources;

@@ -47,11 +47,13 @@ template<int dim>
 void Foam::gasBoundary<dim>::enterThrough
 (
     const fePatch& patch,
+    const double pRef,
     const double dt,
     gasRows& sum
 ) const
 {
     // The same sums as sumFluxes', of one patch
+    const double less = dt*(pRef - account_->ambient());
     State entered = State::Zero();
     for (const auto& node : geometry_.surface(patch).nodes())
     {
@@ -59,6 +61,7 @@ void Foam::gasBoundary<dim>::enterThrough
         {
             entered += dt*Eigen::Map<const State>(sum[node.a].v);
         }
+        entered.template segment<dim>(1) -= less*node.S;
         sum[node.a] = uniformRow(0);
     }
     account_->enter(geometry_.patchNumber(patch), totalsOf(entered));
@@ -82,17 +85,17 @@ void Foam::gasBoundary<dim>::accountFluxes
     for (const fePatch* patch : walls_)
     {
         addWallFluxes(*patch, states, pRef, sum);
-        enterThrough(*patch, dt, sum);
+        enterThrough(*patch, pRef, dt, sum);
     }
     for (const fePatch* patch : open_)
     {
         addOpenFluxes(*patch, states, pRef, sum);
-        enterThrough(*patch, dt, sum);
+        enterThrough(*patch, pRef, dt, sum);
     }
     forAll(farField_, i)
     {
         addFarFieldFluxes(i, states, pRef, sum);
-        enterThrough(*farField_[i], dt, sum);
+        enterThrough(*farField_[i], pRef, dt, sum);
     }
 }
 
@@ -114,7 +117,7 @@ void Foam::gasBoundary<dim>::accountSources
         if (geometry_.mesh().exchange().owned(a))
         {
             source[1 + geometry_.radial()] +=
-                dt*geometry_.hoop()[a]*(state.p(a) - state.pRef);
+                dt*geometry_.hoop()[a]*(state.p(a) - account_->ambient());
         }
     }
     account_->addSource(totalsOf(source));
