@@ -80,8 +80,9 @@ void Foam::gasBoundary<dim>::accountFluxes
     {
         return;
     }
+    // Zero between patches: enterThrough leaves it so
     gasRows& sum = entering_;
-    sum.assign(states.size(), uniformRow(0));
+    sum.resize(states.size(), uniformRow(0));
     for (const fePatch* patch : walls_)
     {
         addWallFluxes(*patch, states, pRef, sum);
