@@ -9,6 +9,7 @@ binary, whole or decomposed. Each command tells its options with --help;
 examples are in README.md beside this file.
 """
 import argparse
+import io
 import sys
 from pathlib import Path
 
@@ -18,6 +19,8 @@ sys.dont_write_bytecode = True
 import matplotlib  # noqa: E402
 
 matplotlib.use("Agg")
+
+from PIL import Image  # noqa: E402  (matplotlib needs it too)
 
 from plotting import fields, histories, scenes  # noqa: E402
 from plotting.errors import PlotError  # noqa: E402
@@ -58,8 +61,10 @@ class InPanel(argparse.Action):
             if not 2 <= len(values):
                 parser.error(f"{option} wants FILE COLUMNS [LABEL]")
             panels[-1].curves.append((self.dest, values))
+        elif self.dest == "mean":
+            panels[-1].means.append(values)
         else:
-            setattr(panels[-1], self.dest, values if self.nargs else True)
+            setattr(panels[-1], self.dest, values)
 
 
 class Flag(InPanel):
@@ -100,6 +105,13 @@ def addHistory(parser):
     parser.add_argument("--yRange", nargs=2, type=float, action=InPanel,
                         metavar=("LOW", "HIGH"))
     parser.add_argument("--logY", action=Flag)
+    parser.add_argument("--mean", nargs=2, type=float, action=InPanel,
+                        metavar=("LOW", "HIGH"), help="print the curves' mean"
+                        " over this part of the abscissa; may be repeated")
+    parser.add_argument("--within", type=float, action=InPanel,
+                        metavar="PERCENT", help="exit code 1 when a curve is"
+                        " further off the reference given at the same place"
+                        " of its panel, in percent of that one's largest value")
     parser.add_argument("--logX", action="store_true")
     parser.add_argument("--xLabel", default="time [s]")
     parser.add_argument("--xRange", nargs=2, type=float,
@@ -127,7 +139,8 @@ def addField(parser):
     addColours(parser)
     where = parser.add_mutually_exclusive_group()
     where.add_argument("--plane", nargs=2, type=vector,
-                       metavar=("'(POINT)'", "'(NORMAL)'"))
+                       metavar=("POINT", "NORMAL"),
+                       help="cut by a plane, as '(0 0 1)' '(0 0 1)'")
     where.add_argument("--patch", action="append", metavar="NAME",
                        help="a plane patch; may be repeated")
     parser.add_argument("--crop", nargs=4, type=float,
@@ -146,8 +159,9 @@ def addScene(parser):
     parser.add_argument("--patch", action="append", metavar="NAME",
                         default=[], help="may be repeated")
     parser.add_argument("--plane", nargs=2, type=vector, action="append",
-                        default=[], metavar=("'(POINT)'", "'(NORMAL)'"),
-                        help="may be repeated")
+                        default=[], metavar=("POINT", "NORMAL"),
+                        help="cut by a plane, as '(0 0 1)' '(0 0 1)'; may be"
+                        " repeated")
     parser.add_argument("--shell", nargs="?", const="displacement",
                         metavar="FIELD", help="the shell with a field of its"
                         " VTK series (displacement)")
@@ -193,13 +207,21 @@ def parsed(words):
     return options
 
 
+def save(figure, path):
+    """As a PNG of 256 colours: a third of the size, for READMEs."""
+    content = io.BytesIO()
+    figure.savefig(content, dpi=DPI, format="png")
+    Image.open(content).convert("RGB").quantize(256).save(
+        path, format="PNG", optimize=True)
+
+
 def drawn(options):
     """(figure, lines for the log)"""
     if options.command == "history":
         figure = histories.draw(
             options.case, options.panels, options.xLabel, options.title,
             options.xRange, options.size, options.logX)
-        return figure, histories.extrema(options.case, options.panels)
+        return figure, histories.figures(options.case, options.panels)
     draw = fields.draw if options.command == "field" else scenes.draw
     return draw(Case(options.case), options)
 
@@ -210,10 +232,17 @@ def main():
         figure, said = drawn(options)
         for line in said:
             print(line)
-        figure.savefig(options.picture, dpi=DPI)
+        save(figure, options.picture)
+        print(f"picture: {options.picture}")
+        if options.command == "history":
+            held = list(histories.deviations(options.case, options.panels))
+            for line, _ in held:
+                print(line)
+            if not all(good for _, good in held):
+                sys.exit("plotResults.py: error: a deviation is above its"
+                         " bound")
     except (PlotError, OSError) as problem:
         sys.exit(f"plotResults.py: error: {problem}")
-    print(f"picture: {options.picture}")
 
 
 if __name__ == "__main__":

@@ -24,6 +24,11 @@ class Panel:
     curves: list = field(default_factory=list)   # (style, words)
     yRange: tuple = None
     logarithmic: bool = False
+    means: list = field(default_factory=list)    # (low, high) of x
+    within: float = None                         # percent
+
+    def of(self, kind):
+        return [words for k, words in self.curves if k == kind]
 
 
 def columns(case, words):
@@ -53,6 +58,7 @@ def drawPanel(axes, case, panel):
         used[kind] += 1
         axes.errorbar(*values[:2], yerr=None if len(values) == 2 else values[2],
                       ecolor="0.8", label=label,
+                      markevery=max(1, len(values[0])//50),
                       zorder=3 if kind == "curve" else 2, **style)
     axes.set_ylabel(panel.label)
     if panel.logarithmic:
@@ -83,15 +89,41 @@ def draw(case, panels, xLabel="time [s]", title="", xRange=None, size=None,
     return figure
 
 
-def extrema(case, panels):
-    """Lines with the extrema of what is computed, for the log."""
+def figures(case, panels):
+    """Lines with extrema and means of what is computed, for the log."""
     for panel in panels:
-        for kind, words in panel.curves:
-            if kind != "curve":
-                continue
+        for words in panel.of("curve"):
             (x, y, *_), label = columns(case, words)
             if np.isnan(y).all():
                 raise PlotError(f"{' '.join(words)}: no numbers in the column")
             low, high = np.nanargmin(y), np.nanargmax(y)
             yield (f"{label}: smallest {y[low]:.6g} at {x[low]:.6g}, largest"
                    f" {y[high]:.6g} at {x[high]:.6g}, last {y[-1]:.6g}")
+            for start, end in panel.means:
+                inside = (x >= start) & (x <= end)
+                if inside.any():
+                    yield (f"{label}: mean of {start:g} to {end:g}:"
+                           f" {np.nanmean(y[inside]):.6g}")
+
+
+def deviations(case, panels):
+    """(line for the log, is it within the bound?) of each curve and the
+    reference given at the same place of its panel: the largest difference at
+    the reference's abscissas over the largest value of the reference."""
+    for panel in panels:
+        if panel.within is None:
+            continue
+        pairs = list(zip(panel.of("curve"), panel.of("reference")))
+        if not pairs:
+            raise PlotError("--within wants a --curve and a --reference in its"
+                            " panel")
+        for curve, reference in pairs:
+            (x, y, *_), label = columns(case, curve)
+            (at, exact, *_), other = columns(case, reference)
+            inside = (at >= x.min()) & (at <= x.max())
+            if not inside.any():
+                raise PlotError(f"{label}: nothing of it where {other} is")
+            there = np.interp(at[inside], x, y)
+            off = 100*abs(there - exact[inside]).max()/abs(exact).max()
+            yield (f"{label}: largest deviation from {other}: {off:.3g} %"
+                   f" (bound {panel.within:g} %)", off <= panel.within)
