@@ -22,6 +22,13 @@ def timesOf(folder):
     return sorted(names, key=float)
 
 
+def timesWithFields(folder):
+    """A shell's state, which the case itself has in runs on several
+    processors, is in a folder of its own below the time's."""
+    return [time for time in timesOf(folder)
+            if any(item.is_file() for item in (folder / time).iterdir())]
+
+
 class Piece:
     """Mesh and fields of one folder at a time."""
 
@@ -114,8 +121,8 @@ class Case:
         split = sorted(self.folder.glob("processor[0-9]*"),
                        key=lambda path: int(path.name[9:]))
         whole = existing(self.folder / "constant/polyMesh/faces")
-        if split and (not whole or
-                      len(timesOf(split[0])) > len(timesOf(self.folder))):
+        if split and (not whole or len(timesWithFields(split[0]))
+                      > len(timesWithFields(self.folder))):
             return split
         return [self.folder]
 

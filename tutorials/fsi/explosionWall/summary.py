@@ -29,7 +29,7 @@ CLOCK = r"ClockTime = (\S+) s"
 PROCESSORS = r"nProcs : (\d+)"
 EXTERNAL = r"external work +(\S+)"
 MISMATCH = r"\n    mismatch +(\S+)"
-MOTION = r"changed the load by about (\S+) %"
+MOTION = r"chang\w* the load by about (\S+) %"
 
 # Of the tutorial [s]
 DURATION = 20e-3
