@@ -50,18 +50,27 @@ void Foam::cubicMotion::setEnd
 }
 
 
-Foam::tmp<Foam::vectorField> Foam::cubicMotion::at
+Foam::tmp<Foam::pointField> Foam::cubicMotion::at
 (
+    const pointField& undisplaced,
     const scalar s
 ) const
 {
     // Hermite polynomials; exact at both ends
     if (s >= 1)
     {
-        return tmp<vectorField>::New(d1_);
+        return undisplaced + d1_;
     }
     const scalar h1 = s*s*(3 - 2*s);
     const scalar g0 = s*(1 - s)*(1 - s);
     const scalar g1 = -s*s*(1 - s);
-    return (1 - h1)*d0_ + h1*d1_ + g0*v0_ + g1*v1_;
+    auto tplaces = tmp<pointField>::New(undisplaced.size());
+    pointField& places = tplaces.ref();
+    forAll(places, i)
+    {
+        places[i] =
+            undisplaced[i]
+          + ((1 - h1)*d0_[i] + h1*d1_[i] + g0*v0_[i] + g1*v1_[i]);
+    }
+    return tplaces;
 }

@@ -3,6 +3,7 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 #include "meshMover.H"
+#include "inverseDistanceMotionSolver.H"
 #include "simplexVolumes.H"
 #include "valuePointPatchField.H"
 
@@ -85,6 +86,11 @@ Foam::tmp<Foam::vectorField> Foam::meshMover::displacement
 
     solver.solve();
     ++nSolves_;
+    if (isA<inverseDistanceMotionSolver>(solver))
+    {
+        // Without rounding: zero is zero
+        return tmp<vectorField>::New(field.primitiveField());
+    }
     return solver.curPoints() - solver.points0();
 }
 
@@ -163,7 +169,7 @@ void Foam::meshMover::watch
     List<pointField> places;
     for (const scalar s : {0.25, 0.5, 0.75, 1.0})
     {
-        places.append(pointField(undeformedNodes + motion.at(s)));
+        places.append(pointField(motion.at(undeformedNodes, s)));
     }
     if (!accepts(mesh, places))
     {

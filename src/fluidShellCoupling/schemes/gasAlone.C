@@ -51,6 +51,7 @@ void Foam::gasAlone::advance()
         gas_.updateFields();
         mover_->stop(mesh_.points());
     }
+    gas_.expectMotion(end - start);
     subCycle
     (
         duration,

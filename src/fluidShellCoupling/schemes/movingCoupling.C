@@ -48,6 +48,8 @@ void Foam::movingCoupling::solveMotion
     endDisplacement_ =
         mover_.displacement(mesh, nodes_, interfaceDisplacement);
     displacement = mesh.gather(endDisplacement_);
+    gas_.expectMotion(displacement);
+    gas_.expectMotion(velocity);
 }
 
 
@@ -79,7 +81,7 @@ void Foam::movingCoupling::advanceMovingGas
         duration, meanOfEnds,
         [&](const scalar to, const scalar dt)
         {
-            gas_.advance(dt, initialNodes_ + motion_.at(to));
+            gas_.advance(dt, motion_.at(initialNodes_, to)());
         }
     );
 }

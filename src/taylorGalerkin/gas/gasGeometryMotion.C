@@ -185,6 +185,37 @@ void Foam::gasGeometry<dim>::computePart
 
 
 template<int dim>
+void Foam::gasGeometry<dim>::setPart()
+{
+    sumStill();
+    const labelList& edges = part_.edges();
+    DynamicList<label> own(edges.size());
+    for (label i = 0, k = 0; i < nEdges_; ++i)
+    {
+        while (k < edges.size() && edges[k] < meshEdge_[i])
+        {
+            ++k;
+        }
+        if (k < edges.size() && edges[k] == meshEdge_[i])
+        {
+            own.append(i);
+        }
+    }
+    partEdges_.transfer(own);
+}
+
+
+template<int dim>
+void Foam::gasGeometry<dim>::expect(const vectorField& ways)
+{
+    if (part_.add(mesh_, vectorField(ways.size(), Zero), ways))
+    {
+        setPart();
+    }
+}
+
+
+template<int dim>
 void Foam::gasGeometry<dim>::begin
 (
     const double dt,
@@ -193,20 +224,7 @@ void Foam::gasGeometry<dim>::begin
 {
     if (part_.add(mesh_, mesh_.nodes(), newNodes))
     {
-        sumStill();
-        DynamicList<label> own(part_.edges().size());
-        for (label i = 0, k = 0; i < nEdges_; ++i)
-        {
-            while (k < part_.edges().size() && part_.edges()[k] < meshEdge_[i])
-            {
-                ++k;
-            }
-            if (k < part_.edges().size() && part_.edges()[k] == meshEdge_[i])
-            {
-                own.append(i);
-            }
-        }
-        partEdges_.transfer(own);
+        setPart();
     }
 
     moving_ = true;

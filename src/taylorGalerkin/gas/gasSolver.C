@@ -437,6 +437,16 @@ void Foam::gasSolver<dim>::forgetMotion()
 
 
 template<int dim>
+void Foam::gasSolver<dim>::expectMotion(const vectorField& ways)
+{
+    // Zones start from the sums at the start
+    stable();
+    geometry_.expect(ways);
+    zones_.wake(geometry_.part().added());
+}
+
+
+template<int dim>
 void Foam::gasSolver<dim>::advance(const scalar dt)
 {
     // The mesh has come to rest

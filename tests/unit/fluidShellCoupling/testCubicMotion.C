@@ -18,6 +18,7 @@ TEST(CubicMotion, reproducesACubicExactly)
     const vector e(1, 2, 0);
     const vectorField one(1, e);
 
+    const pointField origin(1, Zero);
     cubicMotion motion(1);
     motion.reset(d(0)*one, v(0)*one);
     scalar t = 0;
@@ -26,7 +27,7 @@ TEST(CubicMotion, reproducesACubicExactly)
         motion.advance(duration, d(t + duration)*one, v(t + duration)*one);
         for (const scalar s : {0.0, 0.2, 0.5, 0.9, 1.0})
         {
-            const vectorField at(motion.at(s));
+            const vectorField at(motion.at(origin, s));
             EXPECT_LE(mag(at[0] - d(t + s*duration)*e), 1e-13);
         }
         t += duration;
@@ -36,18 +37,19 @@ TEST(CubicMotion, reproducesACubicExactly)
 
 TEST(CubicMotion, isContinuousAcrossWindows)
 {
+    const pointField origin(1, Zero);
     cubicMotion motion(1);
     motion.reset(vectorField(1, Zero), vectorField(1, vector(3, 0, 0)));
     motion.advance(0.1, vectorField(1, vector(1, 0, 0)),
         vectorField(1, vector(-2, 0, 0)));
-    const vectorField end(motion.at(1));
+    const vectorField end(motion.at(origin, 1));
     motion.advance(0.4, vectorField(1, vector(5, 1, 0)),
         vectorField(1, vector(1, 1, 1)));
-    EXPECT_LE(mag(end[0] - motion.at(0)()[0]), 1e-15);
+    EXPECT_LE(mag(end[0] - motion.at(origin, 0)()[0]), 1e-15);
 
     // Velocity at the start of the window, by a difference quotient
     const scalar h = 1e-6;
-    const vector velocity = (motion.at(h)()[0] - motion.at(0)()[0])/(0.4*h);
+    const vector velocity = (motion.at(origin, h)()[0] - motion.at(origin, 0)()[0])/(0.4*h);
     EXPECT_LE(mag(velocity - vector(-2, 0, 0)), 1e-3);
 }
 
@@ -55,6 +57,7 @@ TEST(CubicMotion, isContinuousAcrossWindows)
 TEST(CubicMotion, anotherEndKeepsTheStart)
 {
     const vectorField zero(1, Zero), x(1, vector(1, 0, 0));
+    const pointField origin(1, Zero);
     cubicMotion motion(1), other(1);
     for (cubicMotion* m : {&motion, &other})
     {
@@ -65,9 +68,9 @@ TEST(CubicMotion, anotherEndKeepsTheStart)
     motion.setEnd(0.4*x, 3*x);
     for (const scalar s : {0.0, 0.3, 0.7, 1.0})
     {
-        EXPECT_EQ(motion.at(s)(), other.at(s)());
+        EXPECT_EQ(motion.at(origin, s)(), other.at(origin, s)());
     }
     motion.setEnd(0.5*x, zero);
-    EXPECT_LE(mag(motion.at(0)()[0] - 0.1*x[0]), 1e-15);
-    EXPECT_EQ(motion.at(1)()[0], 0.5*x[0]);
+    EXPECT_LE(mag(motion.at(origin, 0)()[0] - 0.1*x[0]), 1e-15);
+    EXPECT_EQ(motion.at(origin, 1)()[0], 0.5*x[0]);
 }
