@@ -250,8 +250,8 @@ TEST(MappedProfile, planarPartOfTheMesh)
 }
 
 
-// Near-vacuum within a shell whose nodes hold too much of it: density and energy
-// are taken from the shell, so that nothing becomes negative
+// Near-vacuum within a shell whose nodes hold too much of it: density and
+// energy are taken from the shell, so that nothing becomes negative
 TEST(MappedProfile, nearVacuum)
 {
     stateScene scene(boxMesh::lines(100));
