@@ -5,7 +5,6 @@
 #include "pointProbes.H"
 #include "pointFields.H"
 #include "fvMesh.H"
-#include "dictionaryCheck.H"
 #include "OSspecific.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -26,7 +25,8 @@ Foam::functionObjects::pointProbes::pointProbes
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict)
+    fvMeshFunctionObject(name, runTime, dict),
+    places_(dict.get<pointField>("points"))
 {
     read(dict);
 }
@@ -36,17 +36,14 @@ bool Foam::functionObjects::pointProbes::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
 
-    dict.readEntry("points", places_);
+    places_ = nodalPlaces(dict.get<pointField>("points"));
     dict.readEntry("fields", fields_);
-    simplices_.setSize(places_.size(), -1);
-    weights_.setSize(places_.size());
-    holder_.setSize(places_.size(), -1);
+    nodalPlaces::checkFields(fields_, mesh_, dict);
 
-    const feMesh& mesh = feMesh::New(mesh_);
-    locate(mesh);
-    forAll(places_, i)
+    places_.locate(feMesh::New(mesh_));
+    for (label i = 0; i < places_.size(); ++i)
     {
-        if (holder_[i] < 0)
+        if (places_.outside(i))
         {
             FatalIOErrorInFunction(dict)
                 << "The place " << places_[i] << " of " << name()
@@ -60,26 +57,26 @@ bool Foam::functionObjects::pointProbes::read(const dictionary& dict)
 }
 
 
-void Foam::functionObjects::pointProbes::locate(const feMesh& mesh)
+Foam::wordList Foam::functionObjects::pointProbes::columns
+(
+    const word& field
+) const
 {
-    forAll(places_, i)
+    const bool isVector = mesh_.foundObject<pointVectorField>(field);
+    wordList names;
+    for (label i = 0; i < places_.size(); ++i)
     {
-        // Most often the place is where it was
-        bool isThere =
-            holder_[i] == Pstream::myProcNo()
-         && mesh.inSimplex(simplices_[i], places_[i], weights_[i]);
-        reduce(isThere, orOp<bool>());
-        if (isThere)
+        if (!isVector)
         {
+            names.append(field + "_" + Foam::name(i));
             continue;
         }
-        simplices_[i] = mesh.findSimplex(places_[i], weights_[i]);
-
-        // Of several processors at whose boundary it lies the lowest
-        label holder = simplices_[i] >= 0 ? Pstream::myProcNo() : labelMax;
-        reduce(holder, minOp<label>());
-        holder_[i] = holder == labelMax ? -1 : holder;
+        for (const char axis : {'x', 'y', 'z'})
+        {
+            names.append(field + "_" + axis + "_" + Foam::name(i));
+        }
     }
+    return names;
 }
 
 
@@ -102,14 +99,14 @@ void Foam::functionObjects::pointProbes::openFiles()
         OFstream& os = files_[fieldi];
         os.precision(10);
         os  << "# " << fields_[fieldi] << " at points, SI units" << nl;
-        forAll(places_, i)
+        for (label i = 0; i < places_.size(); ++i)
         {
             os  << "# point " << i << ": " << places_[i] << nl;
         }
         os  << "# time";
-        forAll(places_, i)
+        for (const word& column : columns(fields_[fieldi]))
         {
-            os  << ' ' << fields_[fieldi] << '_' << i;
+            os  << ' ' << column;
         }
         os  << endl;
     }
@@ -130,17 +127,7 @@ bool Foam::functionObjects::pointProbes::writeRow
         return false;
     }
 
-    const label stride = mesh.dim() + 1;
-    List<Type> values(places_.size(), Zero);
-    forAll(places_, i)
-    {
-        for (label a = 0; holder_[i] == Pstream::myProcNo() && a < stride; ++a)
-        {
-            const label node = mesh.simplices()[stride*simplices_[i] + a];
-            values[i] += weights_[i][a]*(*field)[mesh.pointOfNode()[node]];
-        }
-        reduce(values[i], sumOp<Type>());
-    }
+    const List<Type> values(places_.values(mesh, *field));
     if (!Pstream::master())
     {
         return true;
@@ -148,11 +135,11 @@ bool Foam::functionObjects::pointProbes::writeRow
 
     OFstream& os = files_[fieldi];
     os  << time_.value();
-    forAll(places_, i)
+    for (label i = 0; i < places_.size(); ++i)
     {
         for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
         {
-            if (holder_[i] < 0)
+            if (places_.outside(i))
             {
                 os  << " nan";
             }
@@ -170,19 +157,11 @@ bool Foam::functionObjects::pointProbes::writeRow
 bool Foam::functionObjects::pointProbes::execute()
 {
     const feMesh& mesh = feMesh::New(mesh_);
-    locate(mesh);
+    places_.locate(mesh);
 
     forAll(fields_, fieldi)
     {
-        if (!writeRow<scalar>(mesh, fieldi) && !writeRow<vector>(mesh, fieldi))
-        {
-            FatalErrorInFunction
-                << "There is no point field " << fields_[fieldi] << nl
-                << "    Point fields are "
-                << flatOutput(mesh_.sortedNames<pointScalarField>()) << ' '
-                << flatOutput(mesh_.sortedNames<pointVectorField>())
-                << exit(FatalError);
-        }
+        writeRow<scalar>(mesh, fieldi) || writeRow<vector>(mesh, fieldi);
     }
     return true;
 }

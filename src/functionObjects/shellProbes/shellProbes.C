@@ -5,7 +5,9 @@
 #include "shellProbes.H"
 #include "addToRunTimeSelectionTable.H"
 #include "registeredShell.H"
+#include "shellResultFields.H"
 #include "shellVector.H"
+#include "CubicTriangle.hpp"
 
 using positionalShell::MotionMap;
 
@@ -18,10 +20,31 @@ namespace functionObjects
 }
 }
 
-static const Foam::wordList validFields
+namespace
+{
+
+const Foam::wordList motionFields
 ({
     "position", "displacement", "velocity", "acceleration"
 });
+
+//- Suffixes of the columns of a result array
+Foam::wordList componentsOf(const Foam::shellResultArray& array)
+{
+    if (array.name == "shearForce")
+    {
+        return {"_1", "_2"};
+    }
+    switch (array.nComponents)
+    {
+        case 1: return {""};
+        case 3: return {"_x", "_y", "_z"};
+        case 4: return {"_11", "_22", "_12", "_21"};
+        default: return {"_xx", "_yy", "_zz", "_xy", "_yz", "_xz"};
+    }
+}
+
+} // End namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -64,7 +87,8 @@ void Foam::functionObjects::shellProbes::locate(const dictionary& dict)
 void Foam::functionObjects::shellProbes::writeFileHeader
 (
     OFstream& os,
-    const word& field
+    const word& field,
+    const wordList& components
 ) const
 {
     const label nPoints = points_.size();
@@ -78,15 +102,94 @@ void Foam::functionObjects::shellProbes::writeFileHeader
     writeCommented(os, "Time");
     forAll(points_, i)
     {
-        for (const char axis : {'x', 'y', 'z'})
+        for (const word& component : components)
         {
-            word column(field + '_' + axis);
+            word column(field + component);
             if (nPoints > 1)
             {
                 column += '_' + Foam::name(i);
             }
             writeTabbed(os, column);
         }
+    }
+    os  << endl;
+}
+
+
+Foam::wordList Foam::functionObjects::shellProbes::setResults
+(
+    const dictionary& dict,
+    const wordList& fields
+)
+{
+    wordList valid(motionFields);
+    valid.append(shellResultFields::validFields());
+    wordList results;
+    motions_.clear();
+    for (const word& field : fields)
+    {
+        if (!valid.found(field))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown field " << field << nl
+                << "    Valid fields are " << flatOutput(valid) << nl
+                << exit(FatalIOError);
+        }
+        (motionFields.found(field) ? motions_ : results).append(field);
+    }
+
+    wordList names(motions_);
+    results_.reset();
+    if (results.size())
+    {
+        dictionary options(shell().properties().subOrEmptyDict("results"));
+        options.set("fields", results);
+        results_.reset(new shellResultFields(options, shell().model()));
+        for (const auto& array : results_->at(shell().state().position))
+        {
+            names.append(array.name);
+        }
+    }
+    return names;
+}
+
+
+Foam::scalarList Foam::functionObjects::shellProbes::valuesOf
+(
+    const shellResultArray& array
+) const
+{
+    const label n = array.nComponents;
+    scalarList values(n*places_.size(), Zero);
+    label next = 0;
+    for (const positionalShell::SurfacePoint& place : places_)
+    {
+        const auto& points = results_->points().ofElement(place.element);
+        const auto weights =
+            positionalShell::CubicTriangle::values(place.xi1, place.xi2);
+        for (int j = 0; j < positionalShell::nodesPerElement; ++j)
+        {
+            for (label k = 0; k < n; ++k)
+            {
+                values[next + k] += weights[j]*array.values[n*points[j] + k];
+            }
+        }
+        next += n;
+    }
+    return values;
+}
+
+
+void Foam::functionObjects::shellProbes::writeRow
+(
+    OFstream& os,
+    const scalarList& values
+) const
+{
+    os  << setw(charWidth()) << time_.value();
+    for (const scalar value : values)
+    {
+        os  << tab << setw(charWidth()) << value;
     }
     os  << endl;
 }
@@ -137,6 +240,10 @@ Foam::functionObjects::shellProbes::shellProbes
 }
 
 
+// Here, where the result fields are known
+Foam::functionObjects::shellProbes::~shellProbes() = default;
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::functionObjects::shellProbes::read(const dictionary& dict)
@@ -148,25 +255,27 @@ bool Foam::functionObjects::shellProbes::read(const dictionary& dict)
     writePrecision_ = dict.lookupOrDefault<label>("writePrecision", 10);
 
     points_ = dict.get<pointField>("points");
-    const wordList fields(dict.get<wordList>("fields"));
-    for (const word& field : fields)
-    {
-        if (!validFields.found(field))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown field " << field << nl
-                << "    Valid fields are " << flatOutput(validFields) << nl
-                << exit(FatalIOError);
-        }
-    }
+    const wordList columns
+    (
+        setResults(dict, dict.get<wordList>("fields"))
+    );
     locate(dict);
 
-    resetNames(fields);
-    if (Pstream::master())
+    resetNames(columns);
+    if (!Pstream::master())
     {
-        forAll(names(), i)
+        return true;
+    }
+    forAll(motions_, i)
+    {
+        writeFileHeader(files(i), motions_[i], {"_x", "_y", "_z"});
+    }
+    if (results_)
+    {
+        label i = motions_.size();
+        for (const auto& array : results_->at(shell().state().position))
         {
-            writeFileHeader(files(i), names()[i]);
+            writeFileHeader(files(i++), array.name, componentsOf(array));
         }
     }
     return true;
@@ -186,20 +295,23 @@ bool Foam::functionObjects::shellProbes::write()
         return true;
     }
 
-    forAll(names(), i)
+    forAll(motions_, i)
     {
-        OFstream& os = files(i);
-        os  << setw(charWidth()) << time_.value();
-
+        DynamicList<scalar> values;
         for (const positionalShell::SurfacePoint& place : places_)
         {
-            const vector v(value(names()[i], place));
-            for (direction d = 0; d < vector::nComponents; ++d)
-            {
-                os  << tab << setw(charWidth()) << v[d];
-            }
+            const vector v(value(motions_[i], place));
+            values.append(scalarList({v.x(), v.y(), v.z()}));
         }
-        os  << endl;
+        writeRow(files(i), values);
+    }
+    if (results_)
+    {
+        label i = motions_.size();
+        for (const auto& array : results_->at(shell().state().position))
+        {
+            writeRow(files(i++), valuesOf(array));
+        }
     }
     return true;
 }

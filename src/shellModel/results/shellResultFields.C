@@ -160,11 +160,7 @@ static const std::vector<std::pair<word, addField*>>& resultFields()
 
 static void checkFields(const wordList& fields, const dictionary& dict)
 {
-    wordList valid;
-    for (const auto& field : resultFields())
-    {
-        valid.append(field.first);
-    }
+    const wordList valid(shellResultFields::validFields());
     for (const word& field : fields)
     {
         if (!valid.found(field))
@@ -227,6 +223,17 @@ Foam::shellResultFields::shellResultFields
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::shellResultFields::validFields()
+{
+    wordList names;
+    for (const auto& field : resultFields())
+    {
+        names.append(field.first);
+    }
+    return names;
+}
+
 
 std::vector<Foam::shellResultArray> Foam::shellResultFields::at
 (

@@ -161,7 +161,8 @@ Foam::scalarField Foam::shellVTK::thickness
 void Foam::shellVTK::writeGrid
 (
     const fileName& path,
-    const positionalShell::ShellState& state
+    const positionalShell::ShellState& state,
+    const std::vector<shellResultArray>& more
 ) const
 {
     const ResultPoints& points = results_.points();
@@ -207,6 +208,10 @@ void Foam::shellVTK::writeGrid
     {
         writeArray(f, array);
     }
+    for (const shellResultArray& array : more)
+    {
+        writeArray(f, array);
+    }
     f.endPointData();
 
     f.endPiece();
@@ -243,7 +248,8 @@ Foam::shellVTK::shellVTK
 void Foam::shellVTK::write
 (
     const positionalShell::ShellState& state,
-    const label index
+    const label index,
+    const std::vector<shellResultArray>& more
 )
 {
     if (!Pstream::master())
@@ -258,6 +264,6 @@ void Foam::shellVTK::write
     const fileName folder(runTime_.globalPath()/"VTK");
 
     mkDir(folder/name_);
-    writeGrid(folder/file, state);
+    writeGrid(folder/file, state, more);
     series_.add(state.time, file);
 }

@@ -67,6 +67,7 @@ void Foam::gasBoundary<dim>::addFlux
 template<int dim>
 void Foam::gasBoundary<dim>::addWallFluxes
 (
+    const fePatch& patch,
     const gasRows& states,
     const double pRef,
     gasRows& sum
@@ -76,42 +77,39 @@ void Foam::gasBoundary<dim>::addWallFluxes
     constexpr int energy = gasKernel::place<dim>::energy;
     const activeParts& active = geometry_.active();
     const bool moving = geometry_.moving();
-    for (const fePatch* patch : walls_)
+    const patchSurface<dim>& surface = geometry_.surface(patch);
+    for (const auto& node : surface.nodes())
     {
-        const patchSurface<dim>& surface = geometry_.surface(*patch);
-        for (const auto& node : surface.nodes())
+        if (active.asleep(node.a))
         {
-            if (active.asleep(node.a))
-            {
-                continue;
-            }
-            const double p = states[node.a][pressure];
-            addForce(p - pRef, node.M, sum[node.a]);
-            if (moving)
-            {
-                sum[node.a][energy] -= p*node.M.dot(geometry_.w(node.a));
-            }
+            continue;
         }
-        for (const auto& pair : surface.pairs())
+        const double p = states[node.a][pressure];
+        addForce(p - pRef, node.M, sum[node.a]);
+        if (moving)
         {
-            if (active.asleep(pair.a) && active.asleep(pair.b))
-            {
-                continue;
-            }
-            // The momentum's flux closes the dual volumes, (G16)
-            const double pa = states[pair.a][pressure];
-            const double pb = states[pair.b][pressure];
-            const double mean = 0.5*(pa + pb) - pRef;
-            addForce(mean, pair.M, sum[pair.a]);
-            addForce(mean, pair.M, sum[pair.b]);
-            if (moving)
-            {
-                const double wa = pair.M.dot(geometry_.w(pair.a));
-                const double wb = pair.M.dot(geometry_.w(pair.b));
-                const double less = 0.25*(pb - pa)*(wa + wb);
-                sum[pair.a][energy] -= pb*wa - less;
-                sum[pair.b][energy] -= pa*wb + less;
-            }
+            sum[node.a][energy] -= p*node.M.dot(geometry_.w(node.a));
+        }
+    }
+    for (const auto& pair : surface.pairs())
+    {
+        if (active.asleep(pair.a) && active.asleep(pair.b))
+        {
+            continue;
+        }
+        // The momentum's flux closes the dual volumes, (G16)
+        const double pa = states[pair.a][pressure];
+        const double pb = states[pair.b][pressure];
+        const double mean = 0.5*(pa + pb) - pRef;
+        addForce(mean, pair.M, sum[pair.a]);
+        addForce(mean, pair.M, sum[pair.b]);
+        if (moving)
+        {
+            const double wa = pair.M.dot(geometry_.w(pair.a));
+            const double wb = pair.M.dot(geometry_.w(pair.b));
+            const double less = 0.25*(pb - pa)*(wa + wb);
+            sum[pair.a][energy] -= pb*wa - less;
+            sum[pair.b][energy] -= pa*wb + less;
         }
     }
 }
@@ -120,6 +118,7 @@ void Foam::gasBoundary<dim>::addWallFluxes
 template<int dim>
 void Foam::gasBoundary<dim>::addOpenFluxes
 (
+    const fePatch& patch,
     const gasRows& states,
     const double pRef,
     gasRows& sum
@@ -128,44 +127,41 @@ void Foam::gasBoundary<dim>::addOpenFluxes
     constexpr int n = gasKernel::place<dim>::nConserved;
     const activeParts& active = geometry_.active();
     const bool moving = geometry_.moving();
-    for (const fePatch* patch : open_)
+    const patchSurface<dim>& surface = geometry_.surface(patch);
+    for (const auto& node : surface.nodes())
     {
-        const patchSurface<dim>& surface = geometry_.surface(*patch);
-        for (const auto& node : surface.nodes())
+        if (active.asleep(node.a))
         {
-            if (active.asleep(node.a))
-            {
-                continue;
-            }
-            addFlux(states[node.a], pRef, node.M, sum[node.a]);
-            const double swept =
-                moving ? node.M.dot(geometry_.w(node.a)) : 0;
-            for (int k = 0; moving && k < n; ++k)
-            {
-                sum[node.a][k] += swept*states[node.a][k];
-            }
+            continue;
         }
-        for (const auto& pair : surface.pairs())
+        addFlux(states[node.a], pRef, node.M, sum[node.a]);
+        const double swept =
+            moving ? node.M.dot(geometry_.w(node.a)) : 0;
+        for (int k = 0; moving && k < n; ++k)
         {
-            if (active.asleep(pair.a) && active.asleep(pair.b))
-            {
-                continue;
-            }
-            const gasRow& qa = states[pair.a];
-            const gasRow& qb = states[pair.b];
-            const Vec S = 0.5*pair.M;
-            gasRow f = uniformRow(0);
-            addFlux(qa, pRef, S, f);
-            addFlux(qb, pRef, S, f);
-            // Exact for uniform gas whatever the motion
-            const double sweptA = moving ? S.dot(geometry_.w(pair.b)) : 0;
-            const double sweptB = moving ? S.dot(geometry_.w(pair.a)) : 0;
-            for (int k = 0; k < gasKernel::rowSize; ++k)
-            {
-                const double both = k < n ? qa[k] + qb[k] : 0;
-                sum[pair.a][k] += f[k] + sweptA*both;
-                sum[pair.b][k] += f[k] + sweptB*both;
-            }
+            sum[node.a][k] += swept*states[node.a][k];
+        }
+    }
+    for (const auto& pair : surface.pairs())
+    {
+        if (active.asleep(pair.a) && active.asleep(pair.b))
+        {
+            continue;
+        }
+        const gasRow& qa = states[pair.a];
+        const gasRow& qb = states[pair.b];
+        const Vec S = 0.5*pair.M;
+        gasRow f = uniformRow(0);
+        addFlux(qa, pRef, S, f);
+        addFlux(qb, pRef, S, f);
+        // Exact for uniform gas whatever the motion
+        const double sweptA = moving ? S.dot(geometry_.w(pair.b)) : 0;
+        const double sweptB = moving ? S.dot(geometry_.w(pair.a)) : 0;
+        for (int k = 0; k < gasKernel::rowSize; ++k)
+        {
+            const double both = k < n ? qa[k] + qb[k] : 0;
+            sum[pair.a][k] += f[k] + sweptA*both;
+            sum[pair.b][k] += f[k] + sweptB*both;
         }
     }
 }
@@ -174,6 +170,7 @@ void Foam::gasBoundary<dim>::addOpenFluxes
 template<int dim>
 void Foam::gasBoundary<dim>::addFarFieldFluxes
 (
+    const label patchi,
     const gasRows& states,
     const double pRef,
     gasRows& sum
@@ -182,57 +179,54 @@ void Foam::gasBoundary<dim>::addFarFieldFluxes
     constexpr int n = gasKernel::place<dim>::nConserved;
     constexpr int force = gasKernel::place<dim>::force;
     const activeParts& active = geometry_.active();
-    forAll(farField_, patchi)
+    const patchSurface<dim>& surface =
+        geometry_.surface(*farField_[patchi]);
+    std::vector<double>& swept = swept_;
+    swept.assign(surface.nodes().size(), 0.0);
+    if (geometry_.moving())
     {
-        const patchSurface<dim>& surface =
-            geometry_.surface(*farField_[patchi]);
-        std::vector<double>& swept = swept_;
-        swept.assign(surface.nodes().size(), 0.0);
-        if (geometry_.moving())
-        {
-            for (std::size_t i = 0; i < swept.size(); ++i)
-            {
-                const auto& node = surface.nodes()[i];
-                swept[i] = node.M.dot(geometry_.w(node.a));
-            }
-            for (const auto& pair : surface.pairs())
-            {
-                swept[pair.placeOfA] += pair.M.dot(geometry_.w(pair.b));
-                swept[pair.placeOfB] += pair.M.dot(geometry_.w(pair.a));
-            }
-        }
         for (std::size_t i = 0; i < swept.size(); ++i)
         {
             const auto& node = surface.nodes()[i];
-            if (active.asleep(node.a))
-            {
-                continue;
-            }
-            // Facets that face each other let nothing through together
-            const Vec& S = node.S;
-            if (S.squaredNorm() == 0)
-            {
-                continue;
-            }
+            swept[i] = node.M.dot(geometry_.w(node.a));
+        }
+        for (const auto& pair : surface.pairs())
+        {
+            swept[pair.placeOfA] += pair.M.dot(geometry_.w(pair.b));
+            swept[pair.placeOfB] += pair.M.dot(geometry_.w(pair.a));
+        }
+    }
+    for (std::size_t i = 0; i < swept.size(); ++i)
+    {
+        const auto& node = surface.nodes()[i];
+        if (active.asleep(node.a))
+        {
+            continue;
+        }
+        // Facets that face each other let nothing through together
+        const Vec& S = node.S;
+        if (S.squaredNorm() == 0)
+        {
+            continue;
+        }
 
-            // The velocity along S that sweeps the same volume
-            const Vec w = swept[i]/S.squaredNorm()*S;
-            const Eigen::Map<const State> inner(states[node.a].v);
-            const State f = gasDynamics::farFieldFlux<dim>
-            (
-                eos_, inner, outer_[patchi][i], S, w
-            );
-            gasRow& row = sum[node.a];
-            const double p = states[node.a][gasKernel::place<dim>::p] - pRef;
-            for (int k = 0; k < n; ++k)
-            {
-                row[k] -= f[k];
-            }
-            for (int k = 0; k < dim; ++k)
-            {
-                row[1 + k] += pRef*S[k];
-                row[force + k] -= p*S[k];
-            }
+        // The velocity along S that sweeps the same volume
+        const Vec w = swept[i]/S.squaredNorm()*S;
+        const Eigen::Map<const State> inner(states[node.a].v);
+        const State f = gasDynamics::farFieldFlux<dim>
+        (
+            eos_, inner, outer_[patchi][i], S, w
+        );
+        gasRow& row = sum[node.a];
+        const double p = states[node.a][gasKernel::place<dim>::p] - pRef;
+        for (int k = 0; k < n; ++k)
+        {
+            row[k] -= f[k];
+        }
+        for (int k = 0; k < dim; ++k)
+        {
+            row[1 + k] += pRef*S[k];
+            row[force + k] -= p*S[k];
         }
     }
 }
@@ -250,9 +244,18 @@ void Foam::gasBoundary<dim>::sumFluxes
     {
         sum[node] = uniformRow(0);
     }
-    addWallFluxes(states, pRef, sum);
-    addOpenFluxes(states, pRef, sum);
-    addFarFieldFluxes(states, pRef, sum);
+    for (const fePatch* patch : walls_)
+    {
+        addWallFluxes(*patch, states, pRef, sum);
+    }
+    for (const fePatch* patch : open_)
+    {
+        addOpenFluxes(*patch, states, pRef, sum);
+    }
+    forAll(farField_, patchi)
+    {
+        addFarFieldFluxes(patchi, states, pRef, sum);
+    }
 }
 
 
@@ -321,7 +324,12 @@ void Foam::gasBoundary<dim>::halfStepFluxes
     (
         data(sum), gasKernel::rowSize, gasKernel::place<dim>::nConserved
     );
-    setZeroWherePrescribed(sum);
+    accountHeld
+    (
+        [&](const label a) { return State(Eigen::Map<const State>(sum[a].v)); },
+        [](const label) { return 1.0; },
+        [&]() { setZeroWherePrescribed(sum); }
+    );
     if (state.hasGravity)
     {
         for (label a = 0; a < state.nNodes(); ++a)

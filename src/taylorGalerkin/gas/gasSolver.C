@@ -329,10 +329,47 @@ void Foam::gasSolver<dim>::stopIfBad
 
 
 template<int dim>
+Foam::gasAccount* Foam::gasSolver<dim>::account() const
+{
+    gasAccount* found =
+        mesh_.poly().getObjectPtr<gasAccount>(gasAccount::typeName);
+    if (found && !found->isOpen())
+    {
+        if (transport_.isPresent() || state_.hasGravity)
+        {
+            FatalErrorInFunction
+                << "The account of mass, momentum and energy (function object"
+                << " conservation)" << nl
+                << "    knows neither viscosity nor gravity, and the gas has "
+                << (transport_.isPresent() ? "viscosity" : "gravity") << nl
+                << "    Remove the function object from system/controlDict"
+                << exit(FatalError);
+        }
+        found->open(*this);
+    }
+    return found;
+}
+
+
+template<int dim>
+template<class Change>
+void Foam::gasSolver<dim>::accountHeld(const Change& change)
+{
+    boundary_.accountHeld
+    (
+        [&](const label a) { return State(state_.conserved(a)); },
+        [&](const label a) { return geometry_.nodeVolume(a); },
+        change
+    );
+}
+
+
+template<int dim>
 void Foam::gasSolver<dim>::step(const scalar dt)
 {
     // The artificial viscosity belongs to the state at the step's start
     stable();
+    boundary_.setAccount(account());
     geometry_.active().copy(state_.rows, oldRows_);
     boundary_.beginStep(state_.rows, stateTime_, dt);
 
@@ -364,7 +401,8 @@ void Foam::gasSolver<dim>::step(const scalar dt)
     stopIfBad(bad, what.str(), dt);
 
     geometry_.end();
-    boundary_.impose(state_.rows);
+    accountHeld([&]() { boundary_.impose(state_.rows); });
+    boundary_.setAccount(nullptr);
 
     for (const label node : boundary_.prescribed())
     {
@@ -423,15 +461,18 @@ void Foam::gasSolver<dim>::advance
     }
     zones_.forbid("the mesh moves");
 
-    // Viscosity and stable step belong to the mesh of the step's start
+    // Viscosity and stable step belong to the mesh of the step's start, as
+    // the totals do from which an account starts
     stable();
+    account();
     rates_.clear();
     oldRows_ = state_.rows;
     oldNodes_ = mesh_.nodes();
     geometry_.begin(dt, newNodes);
 
     // The walls' velocity has changed with the new step
-    boundary_.constrainAtWalls(state_.rows);
+    boundary_.setAccount(account());
+    accountHeld([&]() { boundary_.constrainAtWalls(state_.rows); });
     const label bad = state_.derive(geometry_.active());
     stopIfBad(bad, "the wall's velocity leaves no physical state", dt);
     step(dt);

@@ -162,6 +162,10 @@ void Foam::gasSolver<dim>::storeOldState()
     old_.time = stateTime_;
     geometry_.store(old_.geometry);
     boundary_.storeOldState();
+    if (gasAccount* found = account())
+    {
+        found->storeOldState();
+    }
 }
 
 
@@ -178,6 +182,10 @@ void Foam::gasSolver<dim>::restoreOldState()
     stateTime_ = old_.time;
     geometry_.restore(old_.geometry);
     boundary_.restoreOldState();
+    if (gasAccount* found = account())
+    {
+        found->restoreOldState();
+    }
 
     // Sums, viscosities and the stable step are found again. What has woken
     // since stays awake, which changes no bit (quiescentZones)

@@ -10,7 +10,8 @@ Foam::gasRates<dim>::gasRates(const gasGeometry<dim>& geometry)
     hasSums_(false),
     rate(geometry.nRows(), uniformRow(0)),
     difference(geometry.nRows(), uniformRow(0)),
-    speed(geometry.nRows(), 0.0)
+    speed(geometry.nRows(), 0.0),
+    held(gasDynamics::State<dim>::Zero())
 {}
 
 
@@ -111,9 +112,30 @@ void Foam::gasRates<dim>::compute
             data(state.rows), speed.data(), data(rate), data(difference)
         );
     }
-    boundary.constrainRates(rate);
-    boundary.constrainDifferences(difference);
-    boundary.holdWallTemperatures(difference);
+    using State = gasDynamics::State<dim>;
+    held = boundary.changeBy
+    (
+        [&](const label a) { return State(Eigen::Map<State>(rate[a].v)); },
+        [&](const label a)
+        {
+            return
+                0.5*dt*(geometry.nodeVolume(a) + geometry.newNodeVolume(a));
+        },
+        [&]() { boundary.constrainRates(rate); }
+    );
+    held += boundary.changeBy
+    (
+        [&](const label a)
+        {
+            return State(Eigen::Map<State>(difference[a].v));
+        },
+        [&](const label a) { return dt*speed[a]; },
+        [&]()
+        {
+            boundary.constrainDifferences(difference);
+            boundary.holdWallTemperatures(difference);
+        }
+    );
     hasSums_ = false;
 }
 

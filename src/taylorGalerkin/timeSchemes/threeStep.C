@@ -236,6 +236,8 @@ void Foam::threeStep<dim>::step
     std::fill(residual_.begin(), residual_.end(), uniformRow(0));
     boundary.addFluxes(dt, residual_);
     boundary.addSources(state, dt, residual_);
+    boundary.accountFluxes(state.rows, state.pRef, dt);
+    boundary.accountSources(state, dt);
     if (rates.gravity.valid())
     {
         rates.gravity->addWeight(geometry, state, dt, residual_);
@@ -249,7 +251,12 @@ void Foam::threeStep<dim>::step
     // sees no flux through them
     addMomentum(geometry, state, rates.rate, dt);
     advance(geometry, state, 1, 1 + dim);
-    boundary.constrainMomentum(newU_);
+    boundary.accountHeld
+    (
+        [&](const label a) { return newU_[a]; },
+        [&](const label a) { return geometry.newNodeVolume(a); },
+        [&]() { boundary.constrainMomentum(newU_); }
+    );
 
     for (label a = 0; a < geometry.nNodes(); ++a)
     {

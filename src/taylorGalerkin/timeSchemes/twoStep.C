@@ -109,6 +109,8 @@ void Foam::twoStep<dim>::viscousStep
     );
 
     // What the state gains
+    using State = gasDynamics::State<dim>;
+    State held;
     auto divide = [&](const gasRows& sum, const gasRows* more)
     {
         for (const activeParts::range& r : active.nodes())
@@ -119,7 +121,15 @@ void Foam::twoStep<dim>::viscousStep
                 more ? data(*more) : nullptr, data(state.rows), data(change_)
             );
         }
-        boundary.constrainRates(change_, dt);
+        held = boundary.changeBy
+        (
+            [&](const label a)
+            {
+                return State(Eigen::Map<State>(change_[a].v));
+            },
+            [&](const label a) { return geometry.newNodeVolume(a); },
+            [&]() { boundary.constrainRates(change_, dt); }
+        );
     };
     divide(residual_, nullptr);
 
@@ -141,6 +151,7 @@ void Foam::twoStep<dim>::viscousStep
     {
         kernels.addChanges(r.from, r.to, data(change_), data(state.rows));
     }
+    boundary.accountHeld(held);
 }
 
 
@@ -162,6 +173,8 @@ void Foam::twoStep<dim>::step
         std::fill(boundarySum_.begin(), boundarySum_.end(), uniformRow(0));
     }
     boundary.halfStepFluxes(state, rates.rate, dt, boundarySum_);
+    boundary.accountHalfStep(state.pRef, dt);
+    boundary.accountSources(state, dt);
 
     if (corrector_.valid())
     {
@@ -172,6 +185,7 @@ void Foam::twoStep<dim>::step
                 geometry, state, rates.rate, dt, boundarySum_
             );
         }
+        boundary.accountHeld(rates.held);
         corrector_().step
         (
             geometry, boundary, rates, state, consistent_, dt, boundarySum_
