@@ -138,10 +138,8 @@ def write(case, line, air, time, state):
 
 
 def nodes(case):
-    """Points of the line's nodes in the order of their radius, and the radii
-    (the points are on the wedges' edges)."""
-    points = case.points()
-    r = np.hypot(points[:, 0], points[:, 1])
+    """Points of the line's nodes in the order of their radius, and the radii."""
+    r = np.linalg.norm(case.points(), axis=1)
     order = np.argsort(r, kind="stable")
     first = np.concatenate([[True], np.diff(r[order]) > 1e-9*r.max()])
     return order[first], r[order][first]
