@@ -62,7 +62,7 @@ Foam::vectorField Foam::inverseDistanceMotionSolver::nodeValues
     setUp_->weights->apply(moving, targetValues);
     forAll(targetValues, i)
     {
-        values[setUp_->targets[i]] = targetValues[i];
+        values[setUp_->targets[i]] = setUp_->scales[i]*targetValues[i];
     }
     return values;
 }

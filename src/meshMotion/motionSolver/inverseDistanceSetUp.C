@@ -88,9 +88,10 @@ void Foam::inverseDistanceMotionSolver::readSettings(const dictionary& dict)
         dict,
         {
             "movingPatches", "fixedPatches", "e1", "e2", "tolerance",
-            "weights", "referenceLength"
+            "weights", "referenceLength", "innerDistance", "outerDistance"
         }
     );
+    scale_ = distanceScale(dict);
 
     const auto exponent = [](const scalar e) { return e > 0 && e <= 20; };
     const char* exponents = "exponents above 0, up to 20";
@@ -291,13 +292,7 @@ void Foam::inverseDistanceMotionSolver::makeSetUp()
 
     const bitSet takenBoundary(taken);
     taken.flip();
-    s.targets = taken.sortedToc();
-
-    pointField positions(s.targets.size());
-    forAll(positions, i)
-    {
-        positions[i] = s.scene.position(s.targets[i]);
-    }
+    const pointField positions(selectTargets(taken));
     s.weights = inverseDistanceOperator::New
     (
         s.scene.dim(),
@@ -315,6 +310,40 @@ void Foam::inverseDistanceMotionSolver::makeSetUp()
             mesh(), *this, volumeWatch::cellVolumes(mesh(), points0())
         )
     );
+}
+
+
+Foam::pointField Foam::inverseDistanceMotionSolver::selectTargets
+(
+    const bitSet& nodes
+)
+{
+    setUp& s = *setUp_;
+    labelList targets(nodes.sortedToc());
+    pointField positions(targets.size());
+    forAll(positions, i)
+    {
+        positions[i] = s.scene.position(targets[i]);
+    }
+    scalarField scales(scale_.at(positions, s.moving->positions()));
+
+    label n = 0;
+    forAll(targets, i)
+    {
+        if (scales[i] > 0)
+        {
+            targets[n] = targets[i];
+            scales[n] = scales[i];
+            positions[n] = positions[i];
+            ++n;
+        }
+    }
+    targets.setSize(n);
+    scales.setSize(n);
+    positions.setSize(n);
+    s.targets.transfer(targets);
+    s.scales.transfer(scales);
+    return positions;
 }
 
 
@@ -371,7 +400,13 @@ void Foam::inverseDistanceMotionSolver::report() const
 
     Info<< "inverseDistance: " << label(nTargets) << " points follow "
         << setUp_->moving->size() << " moving, " << setUp_->fixed->size()
-        << " fixed and " << setUp_->nSliding << " sliding points" << nl
+        << " fixed and " << setUp_->nSliding << " sliding points" << nl;
+    if (scale_.fades())
+    {
+        Info<< "    fading from " << scale_.innerDistance() << " m to "
+            << scale_.outerDistance() << " m, where the mesh is at rest" << nl;
+    }
+    Info
         << "    e1 " << settings_.e1 << ", e2 " << settings_.e2
         << ", tolerance " << settings_.tolerance << " (worst bound "
         << returnReduce(local.worstBound, maxOp<scalar>()) << ")" << nl

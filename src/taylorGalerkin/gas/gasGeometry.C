@@ -40,6 +40,9 @@ Foam::gasGeometry<dim>::gasGeometry(feMesh& mesh)
         facets_[patchi].setSize(mesh_.patches()[patchi].facetSimplex.size());
     }
     begin();
+
+    // Steps write those of the part that moves
+    newNodeVolume_ = nodeVolume_;
 }
 
 
@@ -85,8 +88,9 @@ void Foam::gasGeometry<dim>::selectEdges()
 
 
 template<int dim>
-void Foam::gasGeometry<dim>::sumSimplices
+void Foam::gasGeometry<dim>::addSimplices
 (
+    const labelUList& simplices,
     const pointField& from,
     const pointField& to,
     const double dt,
@@ -99,27 +103,17 @@ void Foam::gasGeometry<dim>::sumSimplices
     const double depth = mesh_.depth();
     const int nTimes = atRest ? 1 : 2;
 
-    edgeSums_.assign(mesh_.nEdges(), uniformRow(0));
-    std::fill_n(volumeAtEnd.begin(), nNodes(), 0.0);
-    hoop_.assign(k ? nRows_ : 0, 0.0);
     if (!k && !atRest)
     {
-        sumMovingPlanar(from, to, dt, volumeAtEnd);
-        mesh_.exchange().sum(volumeAtEnd.data(), 1, 1);
+        addMovingPlanar(simplices, from, to, dt, volumeAtEnd);
         return;
     }
 
-    const label* corner = mesh_.simplexCorners().cdata();
-    const label* node = mesh_.simplices().cdata();
-    const label* edge = mesh_.simplexEdges().cdata();
-
-    for
-    (
-        label s = 0;
-        s < mesh_.nSimplices();
-        ++s, corner += dim + 1, node += dim + 1
-    )
+    for (const label s : simplices)
     {
+        const label* corner = mesh_.simplexCorners().cdata() + (dim + 1)*s;
+        const label* node = mesh_.simplices().cdata() + (dim + 1)*s;
+        const label* edge = mesh_.simplexEdges().cdata() + nPairs*s;
         Vec x0[dim + 1], x1[dim + 1], x[dim + 1];
         for (int a = 0; a <= dim; ++a)
         {
@@ -181,8 +175,9 @@ void Foam::gasGeometry<dim>::sumSimplices
                     sums[edgeSum::stiffnessAt] -=
                         weight*now.volume*now.B.col(a).dot(now.B.col(b))
                        /(now.plainVolume*now.plainVolume);
-                    sums[edgeSum::lengthAt] += (x[a] - x[b]).squaredNorm();
-                    sums[edgeSum::countAt] += 1;
+                    sums[edgeSum::lengthAt] +=
+                        (x[a] - x[b]).squaredNorm()/nTimes;
+                    sums[edgeSum::countAt] += 1.0/nTimes;
                     if (!atRest)
                     {
                         sums[edgeSum::sweepAt] +=
@@ -195,20 +190,19 @@ void Foam::gasGeometry<dim>::sumSimplices
                 hoop_[node[a]] += weight*now.plainVolume*now.hoopMoment(a);
             }
         }
-        edge += (dim*(dim + 1))/2;
-    }
-
-    mesh_.exchange().sum(volumeAtEnd.data(), 1, 1);
-    if (k)
-    {
-        mesh_.exchange().sum(hoop_.data(), 1, 1);
     }
 }
 
 
 template<int dim>
-void Foam::gasGeometry<dim>::setEdges()
+void Foam::gasGeometry<dim>::reduceSums(std::vector<double>& volumeAtEnd)
 {
+    mesh_.exchange().sum(volumeAtEnd.data(), 1, 1);
+    if (curvature())
+    {
+        mesh_.exchange().sum(hoop_.data(), 1, 1);
+    }
+
     // Edges with copies on other processors: the sums of all their simplices.
     // What follows the edge's direction must have the same one everywhere.
     const sharedItems& exchange = mesh_.edgeExchange();
@@ -228,34 +222,36 @@ void Foam::gasGeometry<dim>::setEdges()
     turn();
     exchange.sum(data(edgeSums_), gasKernel::rowSize, gasKernel::rowSize);
     turn();
+}
 
-    for (label i = 0; i < nEdges_; ++i)
+
+template<int dim>
+void Foam::gasGeometry<dim>::setEdge(const label i)
+{
+    const gasRow& sums = edgeSums_[meshEdge_[i]];
+    double square = 0;
+    for (int k = 0; k < dim; ++k)
     {
-        const gasRow& sums = edgeSums_[meshEdge_[i]];
-        double square = 0;
-        for (int k = 0; k < dim; ++k)
-        {
-            area_[k][i] = sums[k];
-            square += sums[k]*sums[k];
-        }
-        magArea_[i] = std::sqrt(square);
-        mass_[i] = sums[edgeSum::massAt];
-        stiffness_[i] = sums[edgeSum::stiffnessAt];
-        sweep_[i] = sums[edgeSum::sweepAt];
-        const double length =
-            std::sqrt(sums[edgeSum::lengthAt]/sums[edgeSum::countAt]);
-        side_[i] = length;
-        if (!curvature())
-        {
-            // The mean volume; mass_ is the sum of their shares
-            constexpr double factorial[] = {1, 1, 2, 6};
-            side_[i] =
-                factorial[dim]*(dim + 1)*(dim + 2)*mass_[i]
-               /(mesh_.depth()*sums[edgeSum::countAt]);
-        }
-        inverseLengthArea_[i] =
-            magArea_[i] > 1e-12*mass_[i]/length ? 1/(length*magArea_[i]) : 0;
+        area_[k][i] = sums[k];
+        square += sums[k]*sums[k];
     }
+    magArea_[i] = std::sqrt(square);
+    mass_[i] = sums[edgeSum::massAt];
+    stiffness_[i] = sums[edgeSum::stiffnessAt];
+    sweep_[i] = sums[edgeSum::sweepAt];
+    const double length =
+        std::sqrt(sums[edgeSum::lengthAt]/sums[edgeSum::countAt]);
+    side_[i] = length;
+    if (!curvature())
+    {
+        // The mean volume; mass_ is the sum of their shares
+        constexpr double factorial[] = {1, 1, 2, 6};
+        side_[i] =
+            factorial[dim]*(dim + 1)*(dim + 2)*mass_[i]
+           /(mesh_.depth()*sums[edgeSum::countAt]);
+    }
+    inverseLengthArea_[i] =
+        magArea_[i] > 1e-12*mass_[i]/length ? 1/(length*magArea_[i]) : 0;
 }
 
 
@@ -294,37 +290,61 @@ void Foam::gasGeometry<dim>::addFacet
 
 
 template<int dim>
-void Foam::gasGeometry<dim>::setFacets
+void Foam::gasGeometry<dim>::setFacet
 (
+    const label patchi,
+    const label i,
     const pointField& from,
     const pointField& to
 )
 {
     const bool atRest = (&from == &to);
     const int nTimes = atRest ? 1 : 2;
+    const fePatch& patch = mesh_.patches()[patchi];
+    facetIntegrals& facet = facets_[patchi][i];
 
-    forAll(mesh_.patches(), patchi)
+    facet = facetIntegrals();
+    const label* corner =
+        mesh_.simplexCorners().cdata() + (dim + 1)*patch.facetSimplex[i];
+    for (int t = 0; t < nTimes; ++t)
     {
-        const fePatch& patch = mesh_.patches()[patchi];
-        forAll(patch.facetSimplex, i)
+        const double c = atRest ? 1 : gaussPoints[t];
+        Vec x[dim + 1];
+        for (int a = 0; a <= dim; ++a)
         {
-            facets_[patchi][i] = facetIntegrals();
-            const label* corner =
-                mesh_.simplexCorners().cdata()
-              + (dim + 1)*patch.facetSimplex[i];
-            for (int t = 0; t < nTimes; ++t)
-            {
-                const double c = atRest ? 1 : gaussPoints[t];
-                Vec x[dim + 1];
-                for (int a = 0; a <= dim; ++a)
-                {
-                    x[a] = mesh_.components<dim>
-                    (
-                        (1 - c)*from[corner[a]] + c*to[corner[a]]
-                    );
-                }
-                addFacet(patch, i, x, 1.0/nTimes, facets_[patchi][i]);
-            }
+            x[a] = mesh_.components<dim>
+            (
+                (1 - c)*from[corner[a]] + c*to[corner[a]]
+            );
+        }
+        addFacet(patch, i, x, 1.0/nTimes, facet);
+    }
+}
+
+
+template<int dim>
+void Foam::gasGeometry<dim>::computeAll()
+{
+    const tmp<pointField> tcorners(mesh_.cornerPositions(mesh_.nodes()));
+    const pointField& corners = tcorners();
+    edgeSums_.assign(mesh_.nEdges(), uniformRow(0));
+    std::fill_n(nodeVolume_.begin(), nNodes(), 0.0);
+    hoop_.assign(curvature() ? nRows_ : 0, 0.0);
+
+    addSimplices
+    (
+        identity(mesh_.nSimplices()), corners, corners, 1, nodeVolume_
+    );
+    reduceSums(nodeVolume_);
+    for (label i = 0; i < nEdges_; ++i)
+    {
+        setEdge(i);
+    }
+    forAll(facets_, patchi)
+    {
+        forAll(facets_[patchi], i)
+        {
+            setFacet(patchi, i, corners, corners);
         }
         surfaces_[patchi].sum(facets_[patchi]);
     }
@@ -338,10 +358,15 @@ void Foam::gasGeometry<dim>::begin()
     if (!isPresent_)
     {
         std::fill(w_.begin(), w_.end(), Vec::Zero());
-        const tmp<pointField> corners(mesh_.cornerPositions(mesh_.nodes()));
-        sumSimplices(corners(), corners(), 1, nodeVolume_);
-        setEdges();
-        setFacets(corners(), corners());
+        if (part_.found())
+        {
+            const tmp<pointField> at(mesh_.cornerPositions(mesh_.nodes()));
+            computePart(at(), at(), 1, nodeVolume_);
+        }
+        else
+        {
+            computeAll();
+        }
         isPresent_ = true;
     }
 }

@@ -29,8 +29,9 @@ void Foam::gasGeometry<dim>::stopInverted
 
 
 template<int dim>
-void Foam::gasGeometry<dim>::sumMovingPlanar
+void Foam::gasGeometry<dim>::addMovingPlanar
 (
+    const labelUList& simplices,
     const pointField& from,
     const pointField& to,
     const double dt,
@@ -39,17 +40,12 @@ void Foam::gasGeometry<dim>::sumMovingPlanar
 {
     constexpr int nCorners = dim + 1;
     const double depth = mesh_.depth();
-    const label* corner = mesh_.simplexCorners().cdata();
-    const label* node = mesh_.simplices().cdata();
-    const label* edge = mesh_.simplexEdges().cdata();
 
-    for
-    (
-        label s = 0;
-        s < mesh_.nSimplices();
-        ++s, corner += nCorners, node += nCorners
-    )
+    for (const label s : simplices)
     {
+        const label* corner = mesh_.simplexCorners().cdata() + nCorners*s;
+        const label* node = mesh_.simplices().cdata() + nCorners*s;
+        const label* edge = mesh_.simplexEdges().cdata() + nPairs*s;
         Vec x0[nCorners], x1[nCorners], mid[nCorners];
         Vec way = Vec::Zero();
         for (int a = 0; a < nCorners; ++a)
@@ -108,24 +104,121 @@ void Foam::gasGeometry<dim>::sumMovingPlanar
 
 
 template<int dim>
+void Foam::gasGeometry<dim>::sumStill()
+{
+    const tmp<pointField> tcorners(mesh_.cornerPositions(mesh_.nodes()));
+    const pointField& corners = tcorners();
+
+    DynamicList<label> still(mesh_.nSimplices());
+    for (label s = 0; s < mesh_.nSimplices(); ++s)
+    {
+        if (!part_.moves(s))
+        {
+            still.append(s);
+        }
+    }
+    std::fill(edgeSums_.begin(), edgeSums_.end(), uniformRow(0));
+    std::vector<double> volume(nRows_, 0.0);
+    std::vector<double> hoop(hoop_.size(), 0.0);
+    hoop_.swap(hoop);
+    addSimplices(still, corners, corners, 1, volume);
+    hoop_.swap(hoop);
+
+    const auto select = [](const labelList& places, const auto& values)
+    {
+        typename std::decay<decltype(values)>::type selected;
+        for (const label i : places)
+        {
+            selected.push_back(values[i]);
+        }
+        return selected;
+    };
+    stillEdgeSums_ = select(part_.edges(), edgeSums_);
+    stillVolume_ = select(part_.nodes(), volume);
+    if (curvature())
+    {
+        stillHoop_ = select(part_.nodes(), hoop);
+    }
+}
+
+
+template<int dim>
+void Foam::gasGeometry<dim>::computePart
+(
+    const pointField& from,
+    const pointField& to,
+    const double dt,
+    std::vector<double>& volumeAtEnd
+)
+{
+    forAll(part_.edges(), k)
+    {
+        edgeSums_[part_.edges()[k]] = stillEdgeSums_[k];
+    }
+    forAll(part_.nodes(), k)
+    {
+        volumeAtEnd[part_.nodes()[k]] = stillVolume_[k];
+        if (curvature())
+        {
+            hoop_[part_.nodes()[k]] = stillHoop_[k];
+        }
+    }
+    addSimplices(part_.simplices(), from, to, dt, volumeAtEnd);
+    reduceSums(volumeAtEnd);
+    for (const label i : partEdges_)
+    {
+        setEdge(i);
+    }
+    forAll(facets_, patchi)
+    {
+        const labelList& facets = part_.facets()[patchi];
+        for (const label i : facets)
+        {
+            setFacet(patchi, i, from, to);
+        }
+        if (facets.size())
+        {
+            surfaces_[patchi].sum(facets_[patchi]);
+        }
+    }
+}
+
+
+template<int dim>
 void Foam::gasGeometry<dim>::begin
 (
     const double dt,
     const pointField& newNodes
 )
 {
+    if (part_.add(mesh_, mesh_.nodes(), newNodes))
+    {
+        sumStill();
+        DynamicList<label> own(part_.edges().size());
+        for (label i = 0, k = 0; i < nEdges_; ++i)
+        {
+            while (k < part_.edges().size() && part_.edges()[k] < meshEdge_[i])
+            {
+                ++k;
+            }
+            if (k < part_.edges().size() && part_.edges()[k] == meshEdge_[i])
+            {
+                own.append(i);
+            }
+        }
+        partEdges_.transfer(own);
+    }
+
     moving_ = true;
     isPresent_ = false;
     newNodes_ = newNodes;
-    for (label a = 0; a < nNodes(); ++a)
+    for (const label a : part_.nodes())
     {
         w_[a] = mesh_.components<dim>(newNodes[a] - mesh_.nodes()[a])/dt;
     }
     const tmp<pointField> from(mesh_.cornerPositions(mesh_.nodes()));
     const tmp<pointField> to(mesh_.cornerPositions(newNodes));
-    sumSimplices(from(), to(), dt, newNodeVolume_);
-    setEdges();
-    setFacets(from(), to());
+    computePart(from(), to(), dt, newNodeVolume_);
 }
 
 

@@ -259,8 +259,8 @@ const Foam::stableStep& Foam::gasSolver<dim>::stable()
         {
             // The sums that the step needs give the speeds as well
             rates_.sumEdges(geometry_, state_);
-            zones_.setSpeeds(rates_.speed);
         }
+        zones_.setSpeeds(rates_.speed);
         stable_ = findStableStep
         (
             geometry_, rates_.speed, viscosities(), blockSteps_,
@@ -459,22 +459,24 @@ void Foam::gasSolver<dim>::advance
         advance(dt);
         return;
     }
-    zones_.forbid("the mesh moves");
 
     // Viscosity and stable step belong to the mesh of the step's start, as
     // the totals do from which an account starts
     stable();
     account();
     rates_.clear();
-    oldRows_ = state_.rows;
+    geometry_.active().copy(state_.rows, oldRows_);
     oldNodes_ = mesh_.nodes();
     geometry_.begin(dt, newNodes);
+    zones_.wake(geometry_.part().added());
 
     // The walls' velocity has changed with the new step
     boundary_.setAccount(account());
     accountHeld([&]() { boundary_.constrainAtWalls(state_.rows); });
     const label bad = state_.derive(geometry_.active());
     stopIfBad(bad, "the wall's velocity leaves no physical state", dt);
+    rates_.sumEdges(geometry_, state_);
+    zones_.setSpeeds(rates_.speed);
     step(dt);
     boundary_.updateNormals();
 }

@@ -16,6 +16,23 @@ Foam::gasRates<dim>::gasRates(const gasGeometry<dim>& geometry)
 
 
 template<int dim>
+void Foam::gasRates<dim>::clearSpeeds(const gasGeometry<dim>& geometry)
+{
+    const activeParts& active = geometry.active();
+    active.fill(speed, 0.0);
+    if (active.nAsleep())
+    {
+        // The sums of nodes asleep are not computed, but added up with those
+        // of other processors
+        for (const label a : geometry.mesh().exchange().shared())
+        {
+            speed[a] = active.asleep(a) ? 0 : speed[a];
+        }
+    }
+}
+
+
+template<int dim>
 void Foam::gasRates<dim>::sumSpeeds
 (
     const gasGeometry<dim>& geometry,
@@ -23,11 +40,14 @@ void Foam::gasRates<dim>::sumSpeeds
 )
 {
     const gasKernel::edges edges = geometry.edges();
-    std::fill(speed.begin(), speed.end(), 0.0);
-    gasKernel::gasKernels<dim>::best().waveSpeeds
-    (
-        edges, 0, edges.n, data(state.rows), speed.data()
-    );
+    clearSpeeds(geometry);
+    for (const activeParts::range& r : geometry.active().edges())
+    {
+        gasKernel::gasKernels<dim>::best().waveSpeeds
+        (
+            edges, r.from, r.to, data(state.rows), speed.data()
+        );
+    }
     geometry.mesh().exchange().sum(speed.data(), 1, 1);
     hasSums_ = false;
 }
@@ -48,16 +68,7 @@ void Foam::gasRates<dim>::sumEdges
     const activeParts& active = geometry.active();
     active.fill(rate, uniformRow(0));
     active.fill(difference, uniformRow(0));
-    active.fill(speed, 0.0);
-    if (active.nAsleep())
-    {
-        // The sums of nodes asleep are not computed, but added up with those
-        // of other processors
-        for (const label a : geometry.mesh().exchange().shared())
-        {
-            speed[a] = active.asleep(a) ? 0 : speed[a];
-        }
-    }
+    clearSpeeds(geometry);
     for (const activeParts::range& r : active.edges())
     {
         gasKernel::gasKernels<dim>::best().centralFlux

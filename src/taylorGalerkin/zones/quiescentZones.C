@@ -305,6 +305,24 @@ void Foam::quiescentZones<dim>::update
 
 
 template<int dim>
+void Foam::quiescentZones<dim>::wake(const labelUList& nodes)
+{
+    if (!sleeping_)
+    {
+        return;
+    }
+    for (const label a : nodes)
+    {
+        seed(a);
+    }
+    if (returnReduce(front_.size() > 0, orOp<bool>()))
+    {
+        spread();
+    }
+}
+
+
+template<int dim>
 void Foam::quiescentZones<dim>::wakeAll()
 {
     sleeping_ = false;

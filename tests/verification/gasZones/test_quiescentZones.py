@@ -155,6 +155,41 @@ def test_fieldsAreTheSameAfterARestart(tmp_path):
     assert shares(log)[0] < 60
 
 
+def moveTop(case):
+    """The top goes down by a cell while the blast leaves the corner; the mesh
+    is at rest from a fifth of the box on."""
+    end = STEPS * 0.15 / CELLS[case.mesh.dim]
+    down = 1 / CELLS[case.mesh.dim]
+    case.move("pointDisplacement", {
+        "top": f"""type uniformFixedValue; value uniform (0 0 0);
+uniformValue table ((0 (0 0 0)) ({0.8 * end} (0 0 0)) ({end} (0 {-down} 0)));""",
+        **{side: "type slip;" for side in ("left", "right", "back", "front")
+           if side in case.mesh.patches},
+    })
+    case.write("constant/dynamicMeshDict", """
+motionSolverLibs (meshMotion); solver inverseDistance;
+inverseDistanceCoeffs { movingPatches (top); outerDistance 0.2; }
+""")
+
+
+@pytest.mark.parametrize("processes", [1, 4])
+def test_gasSleepsWhereAMovingMeshRests(processes, tmp_path):
+    case = zonesCase(tmp_path / "on", 2)
+    moveTop(case)
+    prefix = ""
+    if processes > 1:
+        prefix = "processor*/"
+        case.write("system/decomposeParDict", """
+numberOfSubdomains 4; method simple; simpleCoeffs { n (2 2 1); delta 0.001; }
+""")
+        case.run("decomposePar", "-force")
+    active = onAndOff(case, tmp_path, processes, prefix)
+
+    # The top has woken what is near it, and what its waves reach
+    assert active[-2] < 50
+    assert active[-2] + 20 < active[-1] < 100
+
+
 def test_valuesThatChangeWithTimeWakeTheGas(tmp_path):
     inlet = {
         "p": "type uniformFixedValue; value uniform 1;"

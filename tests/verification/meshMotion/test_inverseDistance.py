@@ -170,6 +170,51 @@ def test_points_of_moving_and_fixed_patches_move(panel):
     )
 
 
+INNER, OUTER = 0.05, 0.15
+
+
+def fading(case):
+    setCoeff(case, "innerDistance", INNER)
+    setCoeff(case, "outerDistance", OUTER)
+    return case
+
+
+def test_displacements_fade_and_far_points_rest(panel, tmp_path):
+    case = fading(panelCase(tmp_path / "case"))
+    displacement = moved(case)
+    flat = panel.mesh.points[:, :2]
+    moving = flat[panel.mesh.patchPoints("panel")]
+    distance = np.array([
+        np.hypot(*(moving - x).T).min() for x in flat
+    ])
+    s = np.clip((distance - INNER) / (OUTER - INNER), 0, 1)
+    scale = (1 + np.cos(np.pi*s)) / 2
+    np.testing.assert_allclose(
+        displacement, scale[:, None]*panel.displacement, rtol=0, atol=1e-15
+    )
+    far = distance > OUTER
+    assert 0.2 < far.mean() < 0.9
+    assert np.all(displacement[far] == 0)
+    near = distance < INNER
+    assert np.all(displacement[near] == panel.displacement[near])
+    assert "where the mesh is at rest" in case.log
+
+
+@pytest.mark.parametrize("inner, outer, message", [
+    (0.2, 0.1, "outerDistance is 0.1"), (-1, 0.1, "innerDistance is -1"),
+    (0.1, None, "innerDistance without outerDistance"),
+])
+def test_fading_distances_are_checked(tmp_path, inner, outer, message):
+    case = panelCase(tmp_path / "case")
+    setCoeff(case, "innerDistance", inner)
+    if outer is not None:
+        setCoeff(case, "outerDistance", outer)
+    case.run("blockMesh")
+    log = case.run("moveDynamicMesh", check=False)
+    assert case.exitCode != 0
+    assert message in log
+
+
 def slipCase(folder):
     """Walls (two sides and a ceiling, one patch) along which points slide."""
     case = panelCase(folder)
@@ -278,6 +323,7 @@ def test_symmetry_planes_hold_their_points(tmp_path):
     ("patch", "1 2 1", {"e1": 3}),
     ("patch", "1 1 2", {"weights": "area"}),
     ("symmetryPlane", "1 1 2", {}),
+    ("slip", "2 1 1", {"innerDistance": 0.05, "outerDistance": 0.15}),
     ("slip", "2 1 1", {}),
     ("slip", "1 2 1", {"weights": "area"}),
 ])
