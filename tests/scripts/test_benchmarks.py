@@ -92,6 +92,19 @@ def test_parallelRunsAndWritesItsPage(tmp_path):
     assert ratio == pytest.approx(one / several, rel=0.02)
 
 
+def test_shockPanelRunsAndWritesItsPage(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text("\n".join(marks("shockPanel")) + "\n")
+    run("shockPanel/shockPanelBenchmark.py", "-quick", "-page", page)
+    rows = re.findall(r"^\| (\w+, .*?) \| (\d+) \| (\S+) \| (\S+) \|$",
+                      page.read_text(), re.M)
+    assert [r[0].split(",")[0] for r in rows] == [
+        "shockShellFoam", "shockShellFoam", "rhoCentralFoam"]
+    assert all(int(steps) > 10 and float(seconds) > 0
+               for _, steps, seconds, _ in rows)
+    assert float(rows[2][3]) == 1
+
+
 def test_shellRunsAndWritesItsPage(tmp_path):
     """The peer's rows only where it is installed."""
     page = tmp_path / "page.md"

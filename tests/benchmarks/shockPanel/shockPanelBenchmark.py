@@ -45,17 +45,10 @@ def panelCase(folder, coupling, endTime):
         (case.path / "constant" / "dynamicMeshDict").unlink()
         case.set("system/controlDict", "functions", "{}")
     else:
-        case.run("blockMesh")
         case.run("blockShell")
-        case.run("setPointFields")
-        return case
     case.run("blockMesh")
     case.run("setPointFields")
     return case
-
-
-def entry(file, pattern):
-    return re.search(pattern, file.read_text()).group(1)
 
 
 class Peer(FoamCase):
@@ -73,7 +66,6 @@ class Peer(FoamCase):
                        "simulationType laminar;\n")
         self.writeDict("system/fvSchemes", FV_SCHEMES)
         self.writeDict("system/fvSolution", FV_SOLUTION)
-        self.writeStates(ours)
         control = (ours.path / "system" / "controlDict").read_text()
         endTime = re.search(r"endTime\s+(\S+);", control).group(1)
         self.writeDict("system/controlDict", f"""
@@ -81,6 +73,7 @@ startFrom startTime; startTime 0; stopAt endTime; endTime {endTime};
 deltaT {endTime}; adjustTimeStep yes; maxCo {PEER_MAX_CO}; maxDeltaT 1;
 writeControl timeStep; writeInterval 1000000; timePrecision 10;
 """)
+        self.writeStates(ours)
 
     def writeDict(self, name, text, kind="dictionary"):
         (self.path / name).write_text(
