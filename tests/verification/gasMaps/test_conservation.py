@@ -151,9 +151,9 @@ def test_otherScenesClose(tmp_path, scene):
         assert abs(table["held_mass"][-1]) > 1e-7
 
 
-def piston(folder, **more):
-    """A wall that goes into the gas and back."""
-    found = case(folder, box([(1, 20)], (1, 4)),
+def piston(folder, mesh=None, **more):
+    """A wall that goes into the gas."""
+    found = case(folder, mesh or box([(1, 20)], (1, 4)),
                  dict.fromkeys(SIDES, "wall"), **more)
     found.move("pointDisplacement", {
         "left": "type uniformFixedValue; uniformValue { type sine; frequency"
@@ -175,6 +175,29 @@ def test_movingWallDoesTheWorkThatEnters(tmp_path):
     # All that the gas gains comes from this wall, as pressure and constraint
     assert gained == pytest.approx(
         work + table["held_energy"][-1] - table["held_energy"][0], rel=0.05)
+
+
+def still(x):
+    return np.ones(len(x)), 0.0, np.ones(len(x))
+
+
+def test_gasThatSleepsOnAMovingMesh(tmp_path):
+    """Only the part about the wall moves and is computed."""
+    found = piston(tmp_path / "still", mesh=box([(4, 80)], (1, 8)),
+                   state=still)
+    found.write("constant/dynamicMeshDict", """
+motionSolverLibs (meshMotion);
+solver inverseDistance;
+inverseDistanceCoeffs
+{
+    movingPatches (left); fixedPatches (right);
+    innerDistance 0.4; outerDistance 1;
+}
+""")
+    run(found, 0.2)
+    active = re.findall(r"zones: ([\d.]+) % of the gas is", found.log)
+    assert float(active[-1]) < 60
+    closes(read(found))
 
 
 def test_restartGoesOn(tmp_path):
