@@ -214,6 +214,9 @@ def save(figure, path):
     figure.savefig(content, dpi=DPI, format="png")
     image = Image.open(content).convert("RGB")
     colours = image.quantize(240).getpalette()[:3*240]
+    for k in range(0, len(colours), 3):
+        if min(colours[k:k + 3]) > 245:         # paper is white
+            colours[k:k + 3] = 3*[255]
     greys = [value for k in range(16) for value in 3*[17*k]]
     palette = Image.new("P", (1, 1))
     palette.putpalette(colours + (3*240 - len(colours))*[255] + greys)

@@ -8,8 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "gasBenchmarks"))
+for _folder in ("gasBenchmarks", "fsi"):
+    sys.path.insert(0, str(Path(__file__).parents[1] / _folder))
 
+import platesInGas  # noqa: E402
 from benchmarkCase import BenchmarkCase  # noqa: E402
 from blockMeshes import axisymmetric, box  # noqa: E402
 from foamCase import RunFailed  # noqa: E402
@@ -149,9 +151,9 @@ def test_otherScenesClose(tmp_path, scene):
         assert abs(table["held_mass"][-1]) > 1e-7
 
 
-def piston(folder, **more):
-    """A wall that goes into the gas and back."""
-    found = case(folder, box([(1, 20)], (1, 4)),
+def piston(folder, mesh=None, **more):
+    """A wall that goes into the gas."""
+    found = case(folder, mesh or box([(1, 20)], (1, 4)),
                  dict.fromkeys(SIDES, "wall"), **more)
     found.move("pointDisplacement", {
         "left": "type uniformFixedValue; uniformValue { type sine; frequency"
@@ -173,6 +175,29 @@ def test_movingWallDoesTheWorkThatEnters(tmp_path):
     # All that the gas gains comes from this wall, as pressure and constraint
     assert gained == pytest.approx(
         work + table["held_energy"][-1] - table["held_energy"][0], rel=0.05)
+
+
+def still(x):
+    return np.ones(len(x)), 0.0, np.ones(len(x))
+
+
+def test_gasThatSleepsOnAMovingMesh(tmp_path):
+    """Only the part about the wall moves and is computed."""
+    found = piston(tmp_path / "still", mesh=box([(4, 80)], (1, 8)),
+                   state=still)
+    found.write("constant/dynamicMeshDict", """
+motionSolverLibs (meshMotion);
+solver inverseDistance;
+inverseDistanceCoeffs
+{
+    movingPatches (left); fixedPatches (right);
+    innerDistance 0.4; outerDistance 1;
+}
+""")
+    run(found, 0.2)
+    active = re.findall(r"zones: ([\d.]+) % of the gas is", found.log)
+    assert float(active[-1]) < 60
+    closes(read(found))
 
 
 def test_restartGoesOn(tmp_path):
@@ -209,6 +234,27 @@ def test_severalProcessors(tmp_path):
         assert np.allclose(parallel[name], values, rtol=1e-10, atol=1e-12)
     for name, values in read(found, "right").items():
         assert np.allclose(values, right[name], rtol=1e-10, atol=1e-12)
+
+
+@pytest.mark.parametrize("scheme", ["twoWay", "iterated"])
+def test_coupledStepsThatAreRepeatedCountOnce(tmp_path, monkeypatch, scheme):
+    """A plate that gas pushes: the work of the interface is what enters."""
+    monkeypatch.setattr(platesInGas, "CONTROL", platesInGas.CONTROL.replace(
+        "functions\n{", "functions\n" + FUNCTION[:-1]))
+    found = platesInGas.PlateInGas(
+        tmp_path / scheme, 7.6,
+        front=platesInGas.Gas(0.5, 50, platesInGas.uniform(1e5, 293)))
+    found.couple(scheme, coeffs="iteratedCoeffs { tolerance 1e-10; }\n"
+                 if scheme == "iterated" else "").runTo(2e-4, deltaT=1e-5)
+    table = read(found)
+    closes(table)
+    assert len(table["time"]) == 20
+    plate = read(found, "frontFace")
+    work = found.balance()["workGas"][-1]
+    assert plate["energy"][-1] < 0
+    assert work > 0 and plate["energy"][-1] == pytest.approx(-work, rel=2e-3)
+    assert plate["momentum_x"][-1] == pytest.approx(
+        -found.balance()["impulseGas_x"][-1], rel=2e-3)
 
 
 def test_viscousGasStops(tmp_path):
