@@ -181,6 +181,13 @@ def deviation(run, other):
     ]
 
 
+def alike(run, other):
+    """Same mesh, or same coupling."""
+    one, two = (re.fullmatch(r"(.*)-((?:one|two)Way.*)", r.name).groups()
+                for r in (run, other))
+    return one[0] == two[0] or one[1] == two[1]
+
+
 def wallTables(runs):
     coupled = [run for run in runs if run.coupled]
     rows = []
@@ -195,6 +202,7 @@ def wallTables(runs):
     rows = [
         [run.name, other.name] + [f"{100*d:.2f}" for d in deviation(run, other)]
         for k, run in enumerate(coupled) for other in coupled[k + 1:]
+        if alike(run, other)
     ]
     if rows:
         made.append(table(["run", "compared with"] + [
