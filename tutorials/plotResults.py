@@ -208,10 +208,16 @@ def parsed(words):
 
 
 def save(figure, path):
-    """As a PNG of 256 colours: a third of the size, for READMEs."""
+    """As a PNG of 256 colours, a third of the size, for READMEs: the best 240
+    of the picture, and greys for text and lines."""
     content = io.BytesIO()
     figure.savefig(content, dpi=DPI, format="png")
-    Image.open(content).convert("RGB").quantize(256).save(
+    image = Image.open(content).convert("RGB")
+    colours = image.quantize(240).getpalette()[:3*240]
+    greys = [value for k in range(16) for value in 3*[17*k]]
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(colours + (3*240 - len(colours))*[255] + greys)
+    image.quantize(palette=palette, dither=Image.Dither.NONE).save(
         path, format="PNG", optimize=True)
 
 

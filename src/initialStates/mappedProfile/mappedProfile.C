@@ -218,18 +218,14 @@ Foam::List<Foam::gasNodes::State> Foam::mappedProfile::changes
 Foam::scalar Foam::mappedProfile::correction
 (
     const gasNodes& nodes,
-    const List<gasNodes::State>& changes,
-    const gasNodes::State& wanted,
+    const scalarField& change,
+    const scalarField& weight,
+    const scalar wanted,
     const label i
 ) const
 {
-    scalarField change(changes.size());
-    forAll(change, nodei)
-    {
-        change[nodei] = changes[nodei][i];
-    }
-    const scalar defect = wanted[i] - nodes.integral(change);
-    const scalar whole = nodes.integral(mag(change)());
+    const scalar defect = wanted - nodes.integral(change);
+    const scalar whole = nodes.integral(weight);
 
     // A profile that is the gas already there
     if (mag(defect) <= 1e-13*mag(nodes.total()[i]))
@@ -248,6 +244,54 @@ Foam::scalar Foam::mappedProfile::correction
             << "when the waves are longer" << exit(FatalIOError);
     }
     return defect/whole;
+}
+
+
+Foam::List<Foam::gasNodes::State> Foam::mappedProfile::corrected
+(
+    const gasNodes& nodes,
+    const List<gasNodes::State>& changes,
+    const gasNodes::State& wanted,
+    scalar& cMass,
+    scalar& cEnergy
+) const
+{
+    List<gasNodes::State> states(nodes.size());
+    scalarField change(nodes.size());
+    scalarField weight(nodes.size());
+
+    // Density, (I6); the velocity stays
+    forAll(states, i)
+    {
+        states[i] = nodes.state(i) + changes[i];
+        change[i] = changes[i][mass];
+        weight[i] = min(mag(change[i]), states[i][mass]);
+    }
+    cMass = correction(nodes, change, weight, wanted[mass], mass);
+    scalarField inner(nodes.size());
+    forAll(states, i)
+    {
+        gasNodes::State& s = states[i];
+        const scalar kinetic = 0.5*s.segment<3>(1).squaredNorm()/s[mass];
+        inner[i] = s[energy] - kinetic;
+        const scalar part = 1 + cMass*weight[i]/s[mass];
+        s[mass] *= part;
+        s.segment<3>(1) *= part;
+        s[energy] = inner[i] + part*kinetic;
+    }
+
+    // Internal energy
+    forAll(states, i)
+    {
+        change[i] = states[i][energy] - nodes.state(i)[energy];
+        weight[i] = min(mag(change[i]), inner[i]);
+    }
+    cEnergy = correction(nodes, change, weight, wanted[energy], energy);
+    forAll(states, i)
+    {
+        states[i][energy] += cEnergy*weight[i];
+    }
+    return states;
 }
 
 
@@ -304,21 +348,17 @@ void Foam::mappedProfile::set(gasNodes& nodes) const
     const gasNodes::State wanted = gain(nodes, source, region, share);
     const List<gasNodes::State> change =
         changes(nodes, source, region, share);
-    const scalar cMass = correction(nodes, change, wanted, mass);
-    const scalar cEnergy = correction(nodes, change, wanted, energy);
+    scalar cMass = 0;
+    scalar cEnergy = 0;
+    const List<gasNodes::State> states =
+        corrected(nodes, change, wanted, cMass, cEnergy);
     const gasNodes::State before = nodes.total();
 
-    // (I6)
-    forAll(change, i)
+    forAll(states, i)
     {
         if (share.f()[i] > 0)
         {
-            gasNodes::State s = nodes.state(i) + change[i];
-            const scalar rho = s[0];
-            s[mass] += cMass*mag(change[i][mass]);
-            s[energy] += cEnergy*mag(change[i][energy]);
-            s.segment<3>(1) *= s[0]/rho;
-            nodes.set(i, s);
+            nodes.set(i, states[i]);
         }
     }
 

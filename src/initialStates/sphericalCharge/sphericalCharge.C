@@ -33,6 +33,12 @@ Foam::sphericalCharge::sphericalCharge
     centre_(dict.get<point>("centre")),
     byMass_(dict.found("mass") || dict.found("energy"))
 {
+    if (dict.found("TNT"))
+    {
+        checkKeywords(dict, {"centre", "TNT", "fraction"});
+        tnt_.reset(new tntCharge(mesh, dict.subDict("TNT")));
+        return;
+    }
     if (!byMass_)
     {
         checkKeywords(dict, {"centre", "radius", "p", "T", "U", "fraction"});
@@ -57,12 +63,17 @@ Foam::sphericalCharge::sphericalCharge
 }
 
 
-Foam::scalar Foam::sphericalCharge::radiusOf
-(
-    const feMesh& mesh,
-    const scalar volume
-) const
+Foam::scalar Foam::sphericalCharge::radius(const feMesh& mesh) const
 {
+    if (tnt_.valid())
+    {
+        return tnt_->radius();
+    }
+    if (dict_.found("radius"))
+    {
+        return positive(dict_, "radius");
+    }
+    const scalar volume = positive(dict_, "mass")/positive(dict_, "density");
     const convexBody unit(convexBody::round(mesh, centre_, 1));
     const label power[] = {1, 2, 3};
     return Foam::pow
@@ -72,48 +83,63 @@ Foam::scalar Foam::sphericalCharge::radiusOf
 }
 
 
-void Foam::sphericalCharge::charge
+Foam::gasNodes::State Foam::sphericalCharge::inside
 (
     const gasNodes& nodes,
-    scalar& radius,
-    gasNodes::State& inside
+    const bodyShare& share,
+    const scalar volume
 ) const
 {
-    const feMesh& mesh = nodes.mesh();
-    if (!byMass_)
+    if (!byMass_ && !tnt_.valid())
     {
-        const gasInput in(mesh, dict_);
-        radius = positive(dict_, "radius");
-        inside = conservedState(nodes.gas(), in.p, in.U, in.T);
-        return;
+        const gasInput in(nodes.mesh(), dict_);
+        return conservedState(nodes.gas(), in.p, in.U, in.T);
     }
 
-    const scalar mass = positive(dict_, "mass");
-    radius =
-    (
-        dict_.found("radius")
-      ? positive(dict_, "radius")
-      : radiusOf(mesh, mass/positive(dict_, "density"))
-    );
-    const convexBody body(convexBody::round(mesh, centre_, radius));
-    const scalar volume = body.volume(body.across(mesh));
-    inside = gasNodes::State::Zero();
-    inside[0] = mass/volume;
-    inside[4] = positive(dict_, "energy")/volume;
+    gasNodes::State s = gasNodes::State::Zero();
+    if (tnt_.valid())
+    {
+        // (I8); in uniform surroundings p is p0 everywhere
+        const scalar held = nodes.integral(share.f());
+        const scalar p0 =
+            nodes.integral((nodes.p()*share.f())())/held;
+        const scalar air = displaced(nodes, share)[0];
+        tnt_->check(air);
+        tnt_->print(air);
+        s[0] = tnt_->mass()/volume;
+        s[4] = tnt_->energy()/volume + p0/(nodes.gas().gamma() - 1);
+        return s;
+    }
+    s[0] = positive(dict_, "mass")/volume;
+    s[4] = positive(dict_, "energy")/volume;
+    return s;
+}
+
+
+Foam::gasNodes::State Foam::sphericalCharge::displaced
+(
+    const gasNodes& nodes,
+    const bodyShare& share
+) const
+{
+    List<gasNodes::State> states(nodes.size());
+    forAll(states, i)
+    {
+        states[i] = nodes.state(i);
+    }
+    return nodes.integral(states, share.f())/nodes.integral(share.f());
 }
 
 
 void Foam::sphericalCharge::set(gasNodes& nodes) const
 {
-    scalar radius = 0;
-    gasNodes::State inside;
-    charge(nodes, radius, inside);
-
     const convexBody body
     (
-        convexBody::round(nodes.mesh(), centre_, radius)
+        convexBody::round(nodes.mesh(), centre_, radius(nodes.mesh()))
     );
     const bodyShare share(nodes, body, dict_);
+    const gasNodes::State inner =
+        inside(nodes, share, body.volume(share.across()));
     const gasNodes::State before = nodes.total();
 
     // (I4)
@@ -124,11 +150,11 @@ void Foam::sphericalCharge::set(gasNodes& nodes) const
         if (f > 0)
         {
             const gasNodes::State s = nodes.state(i);
-            nodes.set(i, s + k*f*(inside - s));
+            nodes.set(i, s + k*f*(inner - s));
         }
     }
 
-    report(nodes, share, body, inside, before);
+    report(nodes, share, body, inner, before);
 }
 
 

@@ -43,4 +43,10 @@ double BlastWave::value(const Vec3& X, double time) const
     return front*(1 - phase)*std::exp(-decay*phase);
 }
 
+PressureHistory BlastWave::at(const Vec3& X, const Vec3&) const
+{
+    const BlastWave wave(*this);
+    return [wave, X](double time) { return wave.value(X, time); };
+}
+
 } // namespace positionalShell

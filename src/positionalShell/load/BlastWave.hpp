@@ -25,7 +25,9 @@ struct BlastWave : public PressureField
     //- Throws std::invalid_argument naming what is out of range
     void check() const;
 
-    double value(const Vec3& X, double time) const override;
+    double value(const Vec3& X, double time) const;
+
+    PressureHistory at(const Vec3& X, const Vec3& normal) const override;
 };
 
 } // namespace positionalShell

@@ -65,7 +65,11 @@ public:
 
     explicit UniformPressure(double pressure) : pressure_(pressure) {}
 
-    double value(const Vec3&, double) const override { return pressure_; }
+    PressureHistory at(const Vec3&, const Vec3&) const override
+    {
+        const double pressure = pressure_;
+        return [pressure](double) { return pressure; };
+    }
 
 private:
 
@@ -101,13 +105,12 @@ FollowerPressure::FollowerPressure
 (
     const ShellModel& model,
     const std::string& elementSet,
-    PressureFieldPtr pressure,
+    const PressureFieldPtr& pressure,
     TimeFunctionPtr factor,
     double face
 )
 :
     elements_(model.mesh().elementSet(elementSet)),
-    pressure_(std::move(pressure)),
     factor_(std::move(factor)),
     face_(face),
     lastTime_(0)
@@ -118,11 +121,15 @@ FollowerPressure::FollowerPressure
         for (const BasisPoint& p : basisPoints())
         {
             Vec3 X = Vec3::Zero();
+            Eigen::Matrix<double, 3, 2> dX = Eigen::Matrix<double, 3, 2>::Zero();
             for (int j = 0; j < nodesPerElement; ++j)
             {
-                X += p.N[j]*model.mesh().nodes()[triangle[j]];
+                const Vec3& node = model.mesh().nodes()[triangle[j]];
+                X += p.N[j]*node;
+                dX += node*p.dN.row(j);
             }
-            places_.push_back(X);
+            const Vec3 normal = dX.col(0).cross(dX.col(1)).normalized();
+            places_.push_back(pressure->at(X, normal));
         }
     }
 }
@@ -133,9 +140,9 @@ const std::vector<double>& FollowerPressure::pressures(double time) const
     {
         const double factor = factor_->value(time);
         last_.clear();
-        for (const Vec3& X : places_)
+        for (const PressureHistory& pressure : places_)
         {
-            last_.push_back(factor*pressure_->value(X, time));
+            last_.push_back(factor*pressure(time));
         }
         lastTime_ = time;
     }

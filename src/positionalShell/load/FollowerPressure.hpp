@@ -35,12 +35,12 @@ public:
         double face = 0
     );
 
-    //- Pressure that depends on the initial position of the mid-surface
+    //- Pressure that depends on the initial place on the mid-surface
     FollowerPressure
     (
         const ShellModel& model,
         const std::string& elementSet,
-        PressureFieldPtr pressure,
+        const PressureFieldPtr& pressure,
         TimeFunctionPtr factor = constant(1),
         double face = 0
     );
@@ -66,12 +66,11 @@ private:
     >;
 
     std::vector<int> elements_;
-    PressureFieldPtr pressure_;
     TimeFunctionPtr factor_;
     double face_;
 
-    //- Initial positions of the integration points, by loaded element
-    std::vector<Vec3> places_;
+    //- At the initial places of the integration points, by loaded element
+    std::vector<PressureHistory> places_;
 
     //- Pressures there at the last instant asked for: the same in all iterations of
     //  a step

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pressure as a function of the initial position and of time.
+// Pressure as a function of the initial place on the shell and of time.
 
 #ifndef positionalShell_PressureField_hpp
 #define positionalShell_PressureField_hpp
 
 #include "ShellTypes.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace positionalShell
 {
+
+//- Pressure [Pa] at one place as a function of time [s]
+using PressureHistory = std::function<double(double)>;
 
 class PressureField
 {
@@ -18,8 +22,8 @@ public:
 
     virtual ~PressureField() = default;
 
-    //- At the initial position X of the mid-surface [Pa]
-    virtual double value(const Vec3& X, double time) const = 0;
+    //- At the initial position X of the mid-surface, whose unit normal is given
+    virtual PressureHistory at(const Vec3& X, const Vec3& normal) const = 0;
 };
 
 using PressureFieldPtr = std::shared_ptr<const PressureField>;

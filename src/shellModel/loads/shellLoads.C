@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 #include "shellLoads.H"
 #include "dictionaryCheck.H"
+#include "kingeryBulmashLoad.H"
 #include "shellInput.H"
 #include "shellTimeFunction.H"
 #include "shellVector.H"
@@ -170,6 +171,9 @@ static const std::map<word, loadType>& loadTypes()
                     face(dict)
                 );
             }}},
+        {"kingeryBulmash",
+            {{"elementSet", "face", "mass", "position", "burst", "pressure",
+              "temperature"}, kingeryBulmashLoad}},
         {"rigidTie", {{"nodeSet", "force", "moment"},
             [](const Model& model, Dict dict, Factor factor) -> LoadPtr
             {

@@ -250,6 +250,33 @@ TEST(MappedProfile, planarPartOfTheMesh)
 }
 
 
+// Near-vacuum within a shell whose nodes hold too much of it: density and
+// energy are taken from the shell, so that nothing becomes negative
+TEST(MappedProfile, nearVacuum)
+{
+    stateScene scene(boxMesh::lines(100));
+    const fileName file(scene.folder().path()/"blast.csv");
+    std::ofstream(file)
+        << "r,rho,u,p\n0,1e-4,0,10\n0.397,1e-4,300,10\n0.398,6,300,8e5\n"
+        << "0.602,6,300,8e5\n0.603,1.2014,0,1e5\n1,1.2014,0,1e5\n";
+    scene.set
+    (
+        "mappedProfile",
+        "file \"" + file + "\"; geometry planar; centre (0 0 0); "
+        "axis (1 0 0);"
+    );
+    const radialProfile profile
+    (
+        stateScene::air(), readTable(file, dictionary()), false, dictionary()
+    );
+    const radialProfile::State content = 0.01*profile.integral(0, 1, 0);
+    const gasNodes::State after = scene.nodes().total();
+    EXPECT_NEAR(after[0]/content[0], 1, 1e-12);
+    EXPECT_NEAR(after[4]/content[2], 1, 1e-12);
+    EXPECT_GT(min(scene.nodes().p()), 5);
+}
+
+
 // A wave that falls between the nodes
 TEST(MappedProfile, meshTooCoarse)
 {

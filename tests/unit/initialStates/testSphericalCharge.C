@@ -204,4 +204,63 @@ TEST(SphericalCharge, givenFraction)
 }
 
 
+// (I8): the scene gains the charge's energy, and its mass less the air's, also
+// by an eighth of it; the default radius is that of 1600 kg/m3
+TEST(TntCharge, massAndEnergy)
+{
+    for (const bool eighth : {false, true})
+    {
+        stateScene scene(randomMesh(3, 10));
+        const gasNodes::State before = scene.nodes().total();
+        const std::string centre
+        (
+            eighth ? "centre (0 0 0);" : "centre (0.5 0.5 0.45);"
+        );
+        scene.set
+        (
+            "sphericalCharge", centre + "TNT { mass 2; radius 0.4; }"
+        );
+        const scalar part = eighth ? 0.125 : 1;
+        const scalar air =
+            4*M_PI/3*pow3(0.4)*stateScene::still()[0];
+        expectGain(scene, before, part*(2 - air), part*2*4.52e6);
+    }
+}
+
+
+TEST(TntCharge, radiusRule)
+{
+    const scalar mass = 80;
+    const scalar radius = std::cbrt(3*mass/(4*M_PI*1600));
+    stateScene scene(randomMesh(3, 8));
+    const gasNodes::State before = scene.nodes().total();
+    scene.set
+    (
+        "sphericalCharge",
+        "centre (0.5 0.5 0.5); TNT { mass 80; specificEnergy 1e6; }"
+    );
+    const scalar air =
+        4*M_PI/3*pow3(radius)*stateScene::still()[0];
+    expectGain(scene, before, mass - air, mass*1e6);
+    const scalar p = 0.4*1600*1e6 + stateScene::p0;
+    EXPECT_LE(max(scene.nodes().p()), p*(1 + 3e-4));
+}
+
+
+// (I9): gathered air for a compact charge, the radius for a large bulb
+TEST(TntCharge, nearField)
+{
+    stateScene scene(randomMesh(3, 3));
+    const auto least = [&](const std::string& entries)
+    {
+        return tntCharge
+        (
+            scene.mesh(), dictionary(IStringStream(entries)())
+        ).leastScaledDistance(1.2);
+    };
+    EXPECT_NEAR(least("mass 8;"), std::cbrt(30/(4*M_PI*1.2)), 1e-12);
+    EXPECT_NEAR(least("mass 8; radius 1;"), 2.5, 1e-12);
+}
+
+
 INSTANTIATE_TEST_SUITE_P(Dimensions, Charges, testing::Values(1, 2, 3));

@@ -67,6 +67,16 @@ const mistake mistakes[] =
         {"holds 0.2", "fraction is 0.5", "10 %"}},
     {"sphericalCharge",
         "centre (0 0 0); radius 0.5; p 1; T 1; fraction 1.5;", {"(0 1]"}},
+    {"sphericalCharge", "centre (0 0 0); TNT { mass 1; }",
+        {"2 direction(s)", "mass, energy"}},
+    {"sphericalCharge", "centre (0 0 0); TNT { mas 1; }",
+        {"Unknown keyword mas", "specificEnergy"}},
+    {"sphericalCharge", "centre (0 0 0); TNT { mass -1; }", {"mass is -1"}},
+    {"sphericalCharge", "centre (0 0 0); TNT { mass 1; } radius 1;",
+        {"Unknown keyword radius", "TNT"}},
+    {"sphericalCharge",
+        "centre (0 0 0); TNT { mass 1; radius 1; density 2; }",
+        {"radius and density"}},
     {"mappedProfile", "geometry round; centre (0 0 0); file \"t\";",
         {"round", "spherical", "cylindrical", "planar"}},
     {"mappedProfile", "geometry spherical; centre (0 0 0); file \"t\";",
@@ -98,6 +108,18 @@ TEST_P(Mistakes, areExplained)
     {
         EXPECT_NE(message.find(word), std::string::npos) << message;
     }
+}
+
+
+TEST(StateErrors, bulbLighterThanAir)
+{
+    stateScene scene(randomMesh(3, 6));
+    const std::string message = scene.errorOf
+    (
+        "sphericalCharge",
+        "centre (0.5 0.5 0.5); TNT { mass 0.1; radius 0.45; }"
+    );
+    EXPECT_NE(message.find("smaller radius"), std::string::npos) << message;
 }
 
 

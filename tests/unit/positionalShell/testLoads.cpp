@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "BlastWave.hpp"
+#include "KingeryBulmash.hpp"
 #include "BodyForce.hpp"
 #include "EdgeLoad.hpp"
 #include "ElasticFoundation.hpp"
@@ -279,6 +280,119 @@ TEST(BlastWave, loadsWhatTheFrontHasPassed)
     const FollowerPressure load(plate, "all", front);
     const Vec3 total = resultant(forceOf(load, plate, mesh.initialPositions(), 1));
     EXPECT_NEAR(total[2], -3, 0.02);
+}
+
+// source: table of the fits evaluated by another program; the hemispherical values agree with
+// those printed for 10 kg in public data to all their digits
+TEST(KingeryBulmash, tableValues)
+{
+    using Q = BlastTable::Quantity;
+    struct Row { BlastTable::Burst burst; double Z, Pso, Iso, Ta, Td, Pr, Ir; };
+    const auto air = BlastTable::Burst::freeAir;
+    const auto surface = BlastTable::Burst::surface;
+    const Row rows[] =
+    {
+        {air, 0.5, 3884.8, 141.29, 0.15408, 0.31965, 30360, 1454.1},
+        {air, 1, 934.86, 174.54, 0.53184, 1.7949, 5005.6, 559.03},
+        {air, 2, 194.67, 92.122, 1.944, 1.8459, 645.83, 235.75},
+        {air, 3, 81.589, 64.331, 3.9874, 2.6845, 215.5, 147.08},
+        {surface, 0.5, 4874.6, 166.11, 0.14328, 0.28128, 39493, 2370.8},
+        {surface, 1, 1356.7, 236.43, 0.46751, 1.737, 8144.9, 884.77},
+        {surface, 3, 115.67, 92.747, 3.5442, 2.8305, 330.71, 224.29},
+    };
+    for (const Row& row : rows)
+    {
+        const BlastTable table(row.burst);
+        const auto expectClose = [&](Q q, double value)
+        {
+            EXPECT_NEAR(table.value(q, row.Z)/value, 1, 1e-4);
+        };
+        expectClose(Q::incidentPeak, 1e3*row.Pso);
+        expectClose(Q::incidentImpulse, row.Iso);
+        expectClose(Q::arrival, 1e-3*row.Ta);
+        expectClose(Q::duration, 1e-3*row.Td);
+        expectClose(Q::reflectedPeak, 1e3*row.Pr);
+        expectClose(Q::reflectedImpulse, row.Ir);
+    }
+
+    // source: blastFoam's validation data, 10 kg on the ground at 5 m: 202.4 kPa
+    const double Z = 5/std::cbrt(10.0);
+    EXPECT_NEAR(BlastTable(surface).value(Q::incidentPeak, Z), 202.4e3, 50);
+}
+
+TEST(KingeryBulmash, decayGivesTheImpulse)
+{
+    for (const double b : {-3.0, -0.2, 0.0, 0.004, 0.5, 1.3, 9.0, 200.0})
+    {
+        // Midpoint sums of (1 - s) exp(-b s)
+        double part = 0;
+        const int n = 200000;
+        for (int i = 0; i < n; ++i)
+        {
+            const double s = (i + 0.5)/n;
+            part += (1 - s)*std::exp(-b*s)/n;
+        }
+        EXPECT_NEAR(friedlanderDecay(part), b, 1e-6*(1 + b*b)) << b;
+    }
+    EXPECT_NE(errorOf([] { friedlanderDecay(-1.2); }).find("-1.2"), std::string::npos);
+}
+
+// Face on: reflected; edge on and turned away: incident; cos^2 between, both with their impulse
+TEST(KingeryBulmash, angleOfIncidence)
+{
+    KingeryBulmash charge;
+    charge.mass = 8;
+    charge.position = {0, 0, 6};        // Z = 3
+    charge.check();
+    const auto look = [&](double angle, double& peak, double& impulse)
+    {
+        const PressureHistory p =
+            charge.at(Vec3::Zero(), {std::sin(angle), 0, std::cos(angle)});
+        const double arrival = 2*3.9874e-3;
+        EXPECT_EQ(p(arrival*(1 - 1e-4)), 0);
+        peak = p(arrival*(1 + 1e-4));
+        impulse = 0;
+        const int n = 20000;
+        const double dt = 2*2.7e-3/n;
+        for (int i = 0; i < n; ++i) impulse += p(arrival + (i + 0.5)*dt)*dt;
+    };
+    double peak, impulse;
+    look(0, peak, impulse);
+    EXPECT_NEAR(peak/215.5e3, 1, 2e-3);
+    EXPECT_NEAR(impulse/(2*147.08), 1, 1e-3);
+    look(M_PI/2, peak, impulse);
+    EXPECT_NEAR(peak/81.589e3, 1, 2e-3);
+    EXPECT_NEAR(impulse/(2*64.331), 1, 1e-3);
+    look(M_PI, peak, impulse);
+    EXPECT_NEAR(peak/81.589e3, 1, 2e-3);
+    look(M_PI/3, peak, impulse);
+    EXPECT_NEAR(impulse/(2*(147.08*0.25 + 64.331*(1 + 0.5 - 0.5))), 1, 1e-3);
+
+    // The lower face of a shell that sees the charge from below
+    charge.side = -1;
+    look(M_PI, peak, impulse);
+    EXPECT_NEAR(peak/-215.5e3, 1, 2e-3);
+
+    charge.mass = 1e-6;
+    const std::string far = errorOf([&] { charge.at(Vec3::Zero(), {0, 0, 1}); });
+    EXPECT_NE(far.find("600"), std::string::npos) << far;
+    EXPECT_NE(far.find("40"), std::string::npos) << far;
+}
+
+// Sachs: at a tenth of the pressure the same Z is 10^(1/3) times as far, with a tenth of the
+// overpressure
+TEST(KingeryBulmash, thinAir)
+{
+    KingeryBulmash charge;
+    charge.mass = 1;
+    charge.pressure = 10132.5;
+    const double r = 3*std::cbrt(10.0);
+    charge.position = {0, 0, r};
+    EXPECT_NEAR(charge.scaledDistance(Vec3::Zero()), 3, 1e-12);
+    const PressureHistory p = charge.at(Vec3::Zero(), {1, 0, 0});
+    const double arrival = 3.9874e-3*std::cbrt(10.0);
+    EXPECT_EQ(p(arrival*(1 - 1e-4)), 0);
+    EXPECT_NEAR(p(arrival*(1 + 1e-4))/8158.9, 1, 2e-3);
 }
 
 TEST(Loads, elasticFoundationPullsBackWhatHasMoved)

@@ -64,6 +64,14 @@ def line(file, text):
      "type blastWave; centre (5 0 5); referenceDistance 5; peak 1;\n"
      "arrival 0; speed 400; duration -1; decay 1;",
      ["blast wave: duration", "not positive"]),
+    ("type        traction;\n        traction    (0 0 0.4);",
+     "type kingeryBulmash; mass 1; position (5 0 90); burst freeAir;\n"
+     "face upper;",
+     ["scaled distance", "0.147 to 40"]),
+    ("type        traction;\n        traction    (0 0 0.4);",
+     "type kingeryBulmash; mass 1; position (5 0 9); burst ground;\n"
+     "face upper;",
+     ["Unknown burst ground", "freeAir surface"]),
     ("analysis        dynamic;", "analysis        dynamical;",
      ["Unknown analysis dynamical", "dynamic static"]),
     ("analysis        dynamic;", "elementForm strain;",

@@ -112,8 +112,7 @@ class Run:
             case.set("system/controlDict", entry, value)
         case.set("constant/couplingProperties", "coupling", self.scheme)
         case.set("constant/couplingProperties", "subCycles", self.subCycles)
-        if self.pRef:
-            case.set("constant/couplingProperties", "pRef", f"{self.pRef:g}")
+        case.set("constant/couplingProperties", "pRef", f"{self.pRef:g}")
         if self.integrator != "Newmark":
             case.set("constant/shellProperties", "timeIntegrator",
                      self.integrator)
