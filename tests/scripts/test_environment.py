@@ -173,7 +173,7 @@ def test_setup_installs_only_what_is_asked_for(commands, tmp_path):
 def test_setup_unknown_part():
     done = bash('"$PROJECT/etc/setup" plots')
     assert done.returncode == 1
-    assert lastLine(done).endswith("'plots'; valid: build plot test")
+    assert lastLine(done).endswith("'plots'; valid: build plot gmsh test")
 
 
 def test_second_setup_does_nothing():

@@ -25,6 +25,7 @@ POINTS = ("top, middle", "half height, middle", "top, corner")
 
 # What the log says
 CPU = r"ExecutionTime = (\S+) s"
+STEPS = r"(\d+) gas steps,"
 CLOCK = r"ClockTime = (\S+) s"
 PROCESSORS = r"nProcs : (\d+)"
 EXTERNAL = r"external work +(\S+)"
@@ -108,7 +109,7 @@ def runTable(runs):
             run.name, int(run.number(r"\n    nodes +: (\d+)")),
             int(run.number(r"\n    simplices +: (\d+)")),
             int(run.number(PROCESSORS)),
-            int(run.number(r"(\d+) gas steps,")),
+            int(run.number(STEPS)),
             run.log.count("\nTime = "),
             f"{run.number(CPU):.0f}",
             f"{run.number(CLOCK):.0f}",
@@ -135,18 +136,20 @@ def ratioTable(runs):
             if not name.endswith(suffix) or not base:
                 continue
             pair = [r.number(CPU) for r in (run, base)]
+            steps = [r.number(STEPS) for r in (run, base)]
             if run.number(PROCESSORS) != base.number(PROCESSORS):
                 continue
-            rows.append([name, words, f"{pair[0]/pair[1]:.2f}"])
-    return table(["run", "processor time", "ratio"], rows) if rows else ""
+            rows.append([name, words, f"{pair[0]/pair[1]:.2f}",
+                         f"{pair[0]/steps[0]/(pair[1]/steps[1]):.2f}"])
+    return table(["run", "processor time", "ratio", "of that per gas step"],
+                 rows) if rows else ""
 
 
 def freeFieldTable(runs):
     """Of runs whose steps are those of the gas, so that no peak is missed."""
     known, rows = reference(), []
     for run in runs:
-        steps = run.log.count("\nTime = ")
-        if steps < 0.5*run.number(r"(\d+) gas steps,"):
+        if not run.name.endswith(("-gasAlone", "-freeField")):
             continue
         values = run.history("gaugeLine/p.dat")
         for k, r in enumerate(stations()):
@@ -177,6 +180,13 @@ def deviation(run, other):
     ]
 
 
+def alike(run, other):
+    """Same mesh, or same coupling."""
+    one, two = (re.fullmatch(r"(.*)-((?:one|two)Way.*)", r.name).groups()
+                for r in (run, other))
+    return one[0] == two[0] or one[1] == two[1]
+
+
 def wallTables(runs):
     coupled = [run for run in runs if run.coupled]
     rows = []
@@ -191,6 +201,7 @@ def wallTables(runs):
     rows = [
         [run.name, other.name] + [f"{100*d:.2f}" for d in deviation(run, other)]
         for k, run in enumerate(coupled) for other in coupled[k + 1:]
+        if alike(run, other)
     ]
     if rows:
         made.append(table(["run", "compared with"] + [
