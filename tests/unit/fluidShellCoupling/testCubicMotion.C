@@ -49,7 +49,8 @@ TEST(CubicMotion, isContinuousAcrossWindows)
 
     // Velocity at the start of the window, by a difference quotient
     const scalar h = 1e-6;
-    const vector velocity = (motion.at(origin, h)()[0] - motion.at(origin, 0)()[0])/(0.4*h);
+    const vector way = motion.at(origin, h)()[0] - motion.at(origin, 0)()[0];
+    const vector velocity = way/(0.4*h);
     EXPECT_LE(mag(velocity - vector(-2, 0, 0)), 1e-3);
 }
 

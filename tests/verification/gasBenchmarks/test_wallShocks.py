@@ -50,6 +50,40 @@ def test_reflectedShock(tmp_path, table, mach):
     assert abs(-place - (1 - RUN)) < PLACE
 
 
+# A shock that runs on behind another place's time step. The pressure beyond
+# that behind the shock, over the jump
+WEAK_LINES = 300
+WEAK_TRAVEL = 0.6
+WEAK_OVERSHOOT = 0.002
+
+
+@pytest.mark.parametrize("courant", [0.4, 0.25, 0.15, 0.07])
+@pytest.mark.parametrize("mach", [1.0043, 1.02, 1.042, 1.08])
+def test_weakShockAtSmallCourantNumber(tmp_path, table, mach, courant):
+    p2, rho2, u2 = normalShock(mach)
+    case = BenchmarkCase(tmp_path / "case", box([(1, WEAK_LINES)]))
+
+    def state(x):
+        behind = x[:, 0] < 0.2
+        return [np.where(behind, a, b)
+                for a, b in ((rho2, 1.0), (u2 * C, 0.0), (p2, 1.0))]
+
+    case.start(state, {"left": "fixed", "right": "open"})
+    case.runTo(WEAK_TRAVEL / (mach * C), maxCo=courant)
+    p = case.result("p")
+    over = (p.max() - p2) / (p2 - 1)
+    table.add(f"shock, M {mach}, Courant number {courant}",
+              f"{WEAK_LINES} lines", "overshoot of p over the jump", over, "0",
+              WEAK_OVERSHOOT, seconds=case.seconds)
+    assert over < WEAK_OVERSHOOT
+    # It has arrived, and not smeared out
+    x = case.x[:, 0]
+    middle = p > 1 + 0.1 * (p2 - 1)
+    middle &= p < 1 + 0.9 * (p2 - 1)
+    assert abs(x[middle].mean() - 0.2 - WEAK_TRAVEL) < 0.01
+    assert middle.sum() < 16
+
+
 def along(rows):
     """A wall's displacement or velocity in x: pairs (time, value)."""
     rows = " ".join(f"({t:.15g} ({u:.15g} 0 0))" for t, u in rows)
