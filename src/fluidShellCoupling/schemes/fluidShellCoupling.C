@@ -175,6 +175,22 @@ Foam::scalar Foam::fluidShellCoupling::maxCo() const
 }
 
 
+Foam::scalar Foam::fluidShellCoupling::timeToWrite() const
+{
+    const dictionary& control = time_.controlDict();
+    const word when(control.getOrDefault<word>("writeControl", "timeStep"));
+    if (when != "adjustable" && when != "adjustableRunTime")
+    {
+        return GREAT;
+    }
+    // As Time counts the writes
+    const scalar interval = control.get<scalar>("writeInterval");
+    const scalar since = time_.value() - time_.startTime().value();
+    const label passed = label((since + 0.5*time_.deltaTValue())/interval);
+    return (passed + 1)*interval - since;
+}
+
+
 void Foam::fluidShellCoupling::setDeltaT()
 {
     {
@@ -197,11 +213,16 @@ void Foam::fluidShellCoupling::setDeltaT()
         // of a restart as well: it knows the last deltaT
         dt = time_.timeIndex() == 0 ? wanted : min(wanted, 1.2*dt);
 
-        // Reach the end time in even steps
+        // Reach the end time and the next write in even steps, no longer than
+        // wanted: Time would round their number down, and the gas would halve
+        // each of the longer steps
         const scalar left = time_.endTime().value() - time_.value();
-        if (left > 0)
+        for (const scalar span : {left, timeToWrite()})
         {
-            dt = left/std::ceil(left/dt - 1e-6);
+            if (span > 0 && span < GREAT)
+            {
+                dt = span/std::ceil(span/dt - 1e-6);
+            }
         }
         time_.setDeltaT(dt);
 
