@@ -109,7 +109,8 @@ TEST(BoundaryKinds, symmetryIsTheOtherHalf)
 {
     for (const word type : {"symmetryPlane", "symmetry"})
     {
-        EXPECT_LE(differenceOfHalf(false, type), 1e-6) << type;
+        // Rounding, which the bounds at smooth extrema let grow, (G56)
+        EXPECT_LE(differenceOfHalf(false, type), 1e-5) << type;
 
         // The diagonals of the two meshes differ
         EXPECT_LE(differenceOfHalf(true, type), 8e-3) << type;
