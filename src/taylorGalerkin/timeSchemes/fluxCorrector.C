@@ -59,6 +59,10 @@ void Foam::fluxCorrector<dim>::step
         boundarySum, state.hasGravity || rates.viscous.valid(), dt, rates.rate
     );
 
+    // The half step's pressure pushes a wall, not its gas: that would be
+    // kinetic energy which the bounds of internal energy miss
+    boundary.accountHeld(rates.constrain(geometry, boundary, dt));
+
     long bad = -1;
     for (const activeParts::range& r : active.nodes())
     {

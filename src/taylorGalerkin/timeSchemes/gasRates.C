@@ -86,6 +86,28 @@ void Foam::gasRates<dim>::sumEdges
 
 
 template<int dim>
+gasDynamics::State<dim> Foam::gasRates<dim>::constrain
+(
+    const gasGeometry<dim>& geometry,
+    const gasBoundary<dim>& boundary,
+    const double dt
+)
+{
+    using State = gasDynamics::State<dim>;
+    return boundary.changeBy
+    (
+        [&](const label a) { return State(Eigen::Map<State>(rate[a].v)); },
+        [&](const label a)
+        {
+            return
+                0.5*dt*(geometry.nodeVolume(a) + geometry.newNodeVolume(a));
+        },
+        [&]() { boundary.constrainRates(rate); }
+    );
+}
+
+
+template<int dim>
 void Foam::gasRates<dim>::compute
 (
     const gasGeometry<dim>& geometry,
@@ -124,16 +146,7 @@ void Foam::gasRates<dim>::compute
         );
     }
     using State = gasDynamics::State<dim>;
-    held = boundary.changeBy
-    (
-        [&](const label a) { return State(Eigen::Map<State>(rate[a].v)); },
-        [&](const label a)
-        {
-            return
-                0.5*dt*(geometry.nodeVolume(a) + geometry.newNodeVolume(a));
-        },
-        [&]() { boundary.constrainRates(rate); }
-    );
+    held = constrain(geometry, boundary, dt);
     held += boundary.changeBy
     (
         [&](const label a)

@@ -55,7 +55,7 @@ adjustTimeStep  no;
 writeControl    adjustableRunTime;
 writeInterval   1;
 writeFormat     ascii;
-writePrecision  16;
+writePrecision  17;
 timeFormat      general;
 timePrecision   12;
 runTimeModifiable no;
