@@ -4,6 +4,11 @@ from dataclasses import dataclass
 import numpy as np
 
 
+# Half of the second mode's period [ms], whose ripple moves the largest value of
+# a swing: (1.8751/4.6941)^2 of the first's, 2.744 ms
+RIPPLE = 0.219
+
+
 @dataclass(frozen=True)
 class Extremum:
     time: float
@@ -33,24 +38,34 @@ def swings(t, u, least=0.3):
     return found
 
 
+def centre(t, u, time):
+    """Time of the extremum of the parabola that fits best within RIPPLE about
+    a time; None when the motion does not go so far."""
+    inside = abs(t - time) <= RIPPLE
+    if t[-1] < time + RIPPLE:
+        return None
+    a, b, _ = np.polyfit(t[inside] - time, u[inside], 2)
+    return time - b/(2*a)
+
+
 @dataclass(frozen=True)
 class Swing:
-    """First maximum, rebound, second maximum; None where not reached."""
+    """First maximum, rebound, second maximum; None where not reached.
+    period: between the centres of the two maxima."""
     peak: Extremum = None
     rebound: Extremum = None
     second: Extremum = None
-
-    @property
-    def period(self):
-        """From maximum to maximum."""
-        return self.second and self.second.time - self.peak.time
+    period: float = None
 
     @classmethod
     def of(cls, t, u):
         found = swings(t, u)
         while found and found[0].value < 0:
             found.pop(0)
-        return cls(*found[:3])
+        centres = [centre(t, u, e.time) for e in found[:3:2]]
+        period = (centres[1] - centres[0]
+                  if len(centres) == 2 and None not in centres else None)
+        return cls(*(found + 3*[None])[:3], period)
 
 
 def oscillator(t, load, period):

@@ -34,7 +34,8 @@ def theory():
 @dataclass(frozen=True)
 class Variant:
     """words: for the table. cells: times the size of the base case's.
-    edits: (file, entry, value) of dictionaries."""
+    edits: (file, entry, value) of dictionaries. until: end [s] before that of
+    the others."""
     name: str
     words: str
     cells: float = 2
@@ -44,6 +45,7 @@ class Variant:
     scheme: str = "predictedMotion"
     subCycles: int = 10
     edits: tuple = ()
+    until: float = float("inf")
 
     def done(self, folder):
         return END in self.log(folder)
@@ -61,8 +63,9 @@ class Variant:
         blocks = case.path / "system/blockMeshDict"
         blocks.write_text(coarsened(blocks.read_text(), Mesh(
             50, coarser=self.cells, overPanel=self.overPanel)))
+        end = f"{min(endTime, self.until):g}"
         for entry in (
-            (CONTROL, "endTime", endTime), (CONTROL, "writeInterval", endTime),
+            (CONTROL, "endTime", end), (CONTROL, "writeInterval", end),
             (COUPLING, "coupling", self.scheme),
             (COUPLING, "subCycles", self.subCycles),
             ("system/blockShellDict", "divisions", f"({self.divisions} 1)"),

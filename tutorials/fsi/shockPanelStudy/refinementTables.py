@@ -17,7 +17,7 @@ QUANTITIES = [
     ("rebound [mm]", lambda s: s.rebound and s.rebound.value),
     ("its time [ms]", lambda s: s.rebound and s.rebound.time),
     ("second peak [mm]", lambda s: s.second and s.second.value),
-    ("period, peak to peak [ms]", lambda s: s.period),
+    ("first period [ms]", lambda s: s.period),
 ]
 NAMES = [name for name, _ in QUANTITIES]
 
@@ -48,11 +48,15 @@ def relative(value, base):
 
 
 def limits(family):
-    """Of each quantity, from the three finest meshes; None without."""
-    three = family[:-4:-1]
-    h = [found.run.cells for found in three]
-    columns = zip(*(values(found.swing) for found in three))
-    return [None if None in f else limit(h, f) for f in columns]
+    """Of each quantity, from the three finest meshes that have it; None
+    without."""
+    def of(quantity):
+        known = [(found.run.cells, quantity(found.swing))
+                 for found in reversed(family)
+                 if quantity(found.swing) is not None][:3]
+        return limit(*zip(*known)) if len(known) == 3 else None
+
+    return [of(quantity) for _, quantity in QUANTITIES]
 
 
 def familyRows(family):
@@ -105,7 +109,7 @@ def periodRows(family, rest, ringing, folder):
             yield f"{words}; loses {100*lost:.1f} % in a period", period
     names = {found.run.name: found for found in rest}
     size = family[0]
-    yield "in the tube, peak to peak", size.swing.period
+    yield "in the tube, first period", size.swing.period
     for words, found in (
         ("linear oscillator of theory's period under this run's load", size),
         ("the same under the load of the one-way run", names.get("oneWay")),
@@ -135,14 +139,17 @@ def text(family, rest, ringing, folder):
     words = [
         "Panel of 50 mm, `predictedMotion` with ten gas steps per coupling"
         " step, so that coupling steps go with the cells; limits and their"
-        " uncertainty (grid convergence) from the three finest meshes. Cells"
+        " uncertainty (grid convergence) from the three finest meshes that"
+        " have the quantity; the finest go to 2 ms. Cells"
         " in those of `tutorials/fsi/shockPanel50`, whose own run is `twoWay`"
         " on cells 1.\n",
         table(["gas mesh", "nodes", "processor time [s]", *NAMES],
               familyRows(family)),
-        "\nVariants, each against the run on the same mesh that differs in"
-        " this alone (a stiffer panel without the step: against that without"
-        " the step):\n",
+        "\nThe first period is between the centres of the first two swings to"
+        " the same side: parabolas through a period of the second mode, whose"
+        " ripple moves the largest values.\n\nVariants, each against the run on"
+        " the same mesh that differs in this alone (a stiffer panel without the"
+        " step: against that without the step):\n",
         table(["variant", "cells", "nodes", *NAMES,
                *(f"{name.split(' [')[0]}, change" for name in NAMES)],
               variantRows(family, rest)),
