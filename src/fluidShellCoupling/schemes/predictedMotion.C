@@ -137,26 +137,21 @@ void Foam::predictedMotion::advance()
 }
 
 
-void Foam::predictedMotion::writeInterfaceState(Ostream& os) const
+void Foam::predictedMotion::writeNodeMemory(Ostream& os) const
 {
-    movingCoupling::writeInterfaceState(os);
-    if (Pstream::parRun())
-    {
-        return;
-    }
+    movingCoupling::writeNodeMemory(os);
     expected_.displacement.writeEntry("displacement", os);
     expected_.velocity.writeEntry("velocity", os);
     acceleration_.writeEntry("acceleration", os);
 }
 
 
-void Foam::predictedMotion::readInterfaceState(const dictionary& dict)
+void Foam::predictedMotion::readNodeMemory(const dictionary& dict)
 {
-    movingCoupling::readInterfaceState(dict);
+    movingCoupling::readNodeMemory(dict);
 
-    // Absent when another scheme or several processes wrote the state: as at a
-    // start
-    if (!Pstream::parRun() && dict.found("acceleration"))
+    // Absent when another scheme wrote the state: as at a start
+    if (dict.found("acceleration"))
     {
         const label n = nodes_.size();
         expected_.displacement = vectorField("displacement", dict, n);

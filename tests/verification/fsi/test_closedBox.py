@@ -28,13 +28,15 @@ def energies(case):
     return gas["mass"][-1], gas["energy"][-1] + own, own
 
 
-def test_rigidWallsKeepMassAndEnergy(tmp_path):
+def test_rigidWallsKeepMassAndEnergy(tmp_path, table):
     """Fixed mesh; waves of a tenth of the pressure hit all walls, the strip
     that moves without the gas's seeing it among them."""
     case = box(tmp_path / "case").couple("oneWay").runTo(9.6e-4, STEP)
     gas = case.gasTable()
     assert case.stripTable()["strain"].max() > 1e-5
     for name in ("mass", "energy"):
+        table.add("closed box, rigid walls, fixed mesh", f"{name}, drift",
+                  float(abs(gas[name] / gas[name][0] - 1).max()), "0", "1e-10")
         # source: acceptance, drift of 1e-10
         assert abs(gas[name] / gas[name][0] - 1).max() < 1e-10
     # 1/(g - 1) p V, exact for the trapezoidal rule
@@ -59,26 +61,38 @@ def drifts(tmp_path_factory):
     return drift
 
 
-def test_flexibleWallDriftsInFirstOrder(drifts):
+def addDrift(table, scheme, found, bound, steps=None):
+    steps = steps or ", ".join(("1", "2", "4") if len(found) == 3 else
+                               ("1", "4"))
+    table.add(f"closed box, elastic wall, `{scheme}`", f"energy gained over the "
+              f"wall's; {steps} gas steps per coupling step", found, "0", bound)
+
+
+def test_flexibleWallDriftsInFirstOrder(drifts, table):
     """twoWay, by the lag of its loads."""
     found = [drifts("twoWay", n) for n in (1, 2, 4)]
     order = np.log2(np.array(found[1:]) / found[:-1])
+    addDrift(table, "twoWay", found, "order 1 +- 0.15")
     assert (abs(order - 1) < 0.15).all()
     assert found[0] < 0.03
 
 
-def test_iteratedStepsKeepTheEnergyButForTheMesh(drifts):
+def test_iteratedStepsKeepTheEnergyButForTheMesh(drifts, table):
     """No lag: what is left is of the mesh, not of the coupling step."""
     tight = "iteratedCoeffs { tolerance 1e-9; }\n"
     coarse = [drifts("iterated", n, coeffs=tight) for n in (1, 4)]
     fine = drifts("iterated", 1, (80, 20), coeffs=tight)
+    addDrift(table, "iterated", coarse, "1e-3")
+    addDrift(table, "iterated", [fine], "0.7 of that", "half the cells, 1")
     assert abs(coarse[0]) < 1e-3
     assert abs(coarse[1] - coarse[0]) < 0.1 * abs(coarse[0])
     assert abs(fine) < 0.7 * abs(coarse[0])
 
 
-def test_predictionMissesFastVibrations(drifts):
-    assert abs(drifts("predictedMotion", 4)) < 0.05
+def test_predictionMissesFastVibrations(drifts, table):
+    found = drifts("predictedMotion", 4)
+    addDrift(table, "predictedMotion", [found], "0.05", "4")
+    assert abs(found) < 0.05
 
 
 # A thousandth of steel's density, 15.6 g/m2: mass ratio 0.4 in steps of 50 us
@@ -91,7 +105,7 @@ def light(folder, scheme, n):
     return case.runTo(1.5e-3, n * STEP, check=False)
 
 
-def test_lightStripNeedsTheIteratedScheme(tmp_path):
+def test_lightStripNeedsTheIteratedScheme(tmp_path, table):
     """Above the least mass ratio nothing warns; below it staggered schemes
     warn and fail, the iterated one goes on."""
     fine = light(tmp_path / "fine", "iterated", 1)
@@ -109,8 +123,14 @@ def test_lightStripNeedsTheIteratedScheme(tmp_path):
     # A phase error of steps that are a twentieth of the period
     assert abs(own[-5:] - np.interp(where[-5:], t, v)).max() < 0.35 * largest
 
+    table.add("strip of mass ratio 0.39, `iterated`", "largest velocity over "
+              "that in steps a 20th as long",
+              float(abs(own).max() / largest), "1", "1.1")
     for scheme in ("twoWay", "predictedMotion"):
         case = light(tmp_path / scheme, scheme, 20)
+        table.add(f"the same, `{scheme}` (warns)", "the same",
+                  float(abs(case.motion()[2]).max() / largest), "1",
+                  "must be above 2")
         assert "is not safe, (C20)" in case.log
         assert "Use coupling iterated" in case.log
         assert case.exitCode != 0 or abs(case.motion()[2]).max() > 2 * largest

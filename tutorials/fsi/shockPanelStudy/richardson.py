@@ -3,9 +3,9 @@
 Values f of three meshes with cells h1 < h2 < h3 are taken as f0 + C h^p
 (Roache 1998, Celik et al. 2008). Between p = 0.5 and 2.5 the limit is f0, and
 the uncertainty 1.25 |f1 - f0|, the grid convergence index. Where p is outside,
-or the values do not go one way, the three say less: the limit is then that of
-first order, the order at shocks, and the uncertainty 3 |f1 - f0|, at least the
-range of the three.
+or the values do not go one way, the three say less: the value is that of the
+finest mesh, and the uncertainty three times what first order, the order at
+shocks, would have left of the last change; at least the range of the three.
 """
 from dataclasses import dataclass
 
@@ -46,8 +46,7 @@ def limit(h, f):
     p = observedOrder(h, f)
     good = p is not None and ORDERS[0] <= p <= ORDERS[1]
     used = p if good else SHOCK_ORDER
-    value = f[0] - (f[1] - f[0])*h[0]**used/(h[1]**used - h[0]**used)
-    error = abs(value - f[0])
+    left = (f[0] - f[1])*h[0]**used/(h[1]**used - h[0]**used)
     if good:
-        return Limit(value, THREE*error, p)
-    return Limit(value, max(TWO*error, max(f) - min(f)), None)
+        return Limit(f[0] + left, THREE*abs(left), p)
+    return Limit(f[0], max(TWO*abs(left), max(f) - min(f)), None)
