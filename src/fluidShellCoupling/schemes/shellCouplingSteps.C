@@ -151,6 +151,7 @@ void Foam::shellCoupling::advanceGas
 void Foam::shellCoupling::beginStep(const scalar duration)
 {
     balance_.begin();
+    shell_->storeOldState();
     indicators_.update
     (
         map_->velocity(shell_->state().velocity), duration

@@ -95,6 +95,24 @@ def test_predictionMissesFastVibrations(drifts, table):
     assert abs(found) < 0.05
 
 
+@pytest.mark.parametrize("scheme", ["oneWay", "twoWay", "predictedMotion"])
+def test_gasThatStopsLeavesTheShellsState(tmp_path, scheme):
+    """Steps above the stable one; the shell goes back to the start of the
+    coupling step in which the gas fails."""
+    step = 2.4e-5
+    case = FlexibleWall(tmp_path / "case", lambda x: np.where(
+        abs(x) < 0.02, P0, np.where(abs(x) < 0.06, 2 * P0, P0)))
+    case.couple(scheme, subCycles=4).runTo(2e-3, step, check=False)
+    assert case.exitCode != 0
+    assert "no longer in a physical state" in case.log
+    own, gas = (re.search(rf'{words} written to "?([-+.\de]+)', case.log)[1]
+                for words in ("shell's last good state is",
+                              "state before this step is"))
+    assert float(gas) - step < float(own) <= float(gas)
+    assert float(own) == pytest.approx(case.stripTable()["Time"][-1], rel=1e-9)
+    assert (case.path / own / "shell" / "position").exists()
+
+
 # A thousandth of steel's density, 15.6 g/m2: mass ratio 0.4 in steps of 50 us
 LIGHT = Strip(thickness=2e-3, E=1e7, rho=7.8)
 
