@@ -21,7 +21,8 @@ Foam::predictedMotion::predictedMotion
     const dictionary& dict
 )
 :
-    movingCoupling(time, mesh, gas, std::move(shell), dict)
+    movingCoupling(time, mesh, gas, std::move(shell), dict),
+    accelerationKnown_(false)
 {
     expected_ = shellMotion();
     resume();
@@ -51,16 +52,16 @@ Foam::predictedMotion::shellMotion() const
 Foam::predictedMotion::interfaceMotion
 Foam::predictedMotion::predict(const scalar duration) const
 {
-    // The first step has no last one: the shell's own acceleration. Later the
-    // mean over a step, in which Newmark's oscillating part cancels
-    const vectorField a
-    (
-        acceleration_.size() ? acceleration_
-      : vectorField(map_->velocity(shell_->state().acceleration))
-    );
     interfaceMotion m(shellMotion());
-    m.displacement += duration*(m.velocity + 0.5*duration*a);
-    m.velocity += duration*a;
+    m.displacement += duration*m.velocity;
+    // The first step has no last one. The shell's own acceleration is no
+    // substitute: a load that comes all of a sudden accelerates vibrations
+    // that are far faster than the step, (C9)
+    if (accelerationKnown_)
+    {
+        m.displacement += 0.5*sqr(duration)*acceleration_;
+        m.velocity += duration*acceleration_;
+    }
     return m;
 }
 
@@ -117,6 +118,7 @@ void Foam::predictedMotion::closeStep
 {
     acceleration_ =
         (map_->velocity(shell_->state().velocity) - velocity)/duration;
+    accelerationKnown_ = true;
     transfer(lastForces());
     balance_.end();
     moveMesh();
@@ -135,30 +137,26 @@ void Foam::predictedMotion::advance()
 }
 
 
-void Foam::predictedMotion::writeInterfaceState(Ostream& os) const
+void Foam::predictedMotion::writeNodeMemory(Ostream& os) const
 {
-    movingCoupling::writeInterfaceState(os);
-    if (Pstream::parRun())
-    {
-        return;
-    }
+    movingCoupling::writeNodeMemory(os);
     expected_.displacement.writeEntry("displacement", os);
     expected_.velocity.writeEntry("velocity", os);
     acceleration_.writeEntry("acceleration", os);
 }
 
 
-void Foam::predictedMotion::readInterfaceState(const dictionary& dict)
+void Foam::predictedMotion::readNodeMemory(const dictionary& dict)
 {
-    movingCoupling::readInterfaceState(dict);
+    movingCoupling::readNodeMemory(dict);
 
-    // Absent when another scheme or several processes wrote the state: as at a
-    // start
-    if (!Pstream::parRun() && dict.found("acceleration"))
+    // Absent when another scheme wrote the state: as at a start
+    if (dict.found("acceleration"))
     {
         const label n = nodes_.size();
         expected_.displacement = vectorField("displacement", dict, n);
         expected_.velocity = vectorField("velocity", dict, n);
         acceleration_ = vectorField("acceleration", dict, n);
+        accelerationKnown_ = true;
     }
 }

@@ -135,6 +135,14 @@ Foam::shellCoupling::shellCoupling
 {
     checkPatches(dict);
     checkStripWidth();
+    gas_.beforeStop
+    (
+        [this]()
+        {
+            shell_->restoreOldState();
+            shell_->writeState();
+        }
+    );
 
     Info<< "Coupling: " << dict.get<word>("coupling").c_str() << ", ";
     if (subCycles_)

@@ -5,6 +5,7 @@
 //  What the schemes do in a coupling step, and what a restart needs of it
 
 #include "shellCoupling.H"
+#include "IFstream.H"
 #include "IOdictionary.H"
 #include "shellFile.H"
 
@@ -150,6 +151,7 @@ void Foam::shellCoupling::advanceGas
 void Foam::shellCoupling::beginStep(const scalar duration)
 {
     balance_.begin();
+    shell_->storeOldState();
     indicators_.update
     (
         map_->velocity(shell_->state().velocity), duration
@@ -168,31 +170,55 @@ void Foam::shellCoupling::beginStep(const scalar duration)
 }
 
 
-void Foam::shellCoupling::writeInterfaceState(Ostream& os) const
+void Foam::shellCoupling::writeAccounts(Ostream& os) const
 {
     os.writeEntry("impulseGas", balance_.gas().impulse);
     os.writeEntry("workGas", balance_.gas().work);
     os.writeEntry("impulseShell", balance_.shell().impulse);
     os.writeEntry("workShell", balance_.shell().work);
-    if (averages_ && !Pstream::parRun())
-    {
-        meanForces_.writeEntry("meanForces", os);
-    }
 }
 
 
-void Foam::shellCoupling::readInterfaceState(const dictionary& dict)
+void Foam::shellCoupling::readAccounts(const dictionary& dict)
 {
     balance_.resume
     (
         {dict.get<vector>("impulseGas"), dict.get<scalar>("workGas")},
         {dict.get<vector>("impulseShell"), dict.get<scalar>("workShell")}
     );
-    // Of several processes each has its own nodes: section 7 of
-    // doc/theory/coupling.md
-    if (averages_ && !Pstream::parRun() && dict.found("meanForces"))
+}
+
+
+void Foam::shellCoupling::writeNodeMemory(Ostream& os) const
+{
+    os.writeEntry("nodes", nodes_.size());
+    if (averages_)
+    {
+        meanForces_.writeEntry("meanForces", os);
+    }
+}
+
+
+void Foam::shellCoupling::readNodeMemory(const dictionary& dict)
+{
+    if (averages_ && dict.found("meanForces"))
     {
         meanForces_ = vectorField("meanForces", dict, nodes_.size());
+    }
+}
+
+
+void Foam::shellCoupling::resumeNodes(const dictionary& dict)
+{
+    const bool own = dict.getOrDefault<label>("nodes", -1) == nodes_.size();
+    if (returnReduce(own, andOp<bool>()))
+    {
+        readNodeMemory(dict);
+    }
+    else
+    {
+        Info<< "Interface: the last step is not known on this decomposition; "
+            << "the first one is as at a start" << nl << endl;
     }
 }
 
@@ -200,18 +226,53 @@ void Foam::shellCoupling::readInterfaceState(const dictionary& dict)
 void Foam::shellCoupling::resume()
 {
     const fileName folder(time_.timeName()/"shell");
-    if (shellFileExists(time_, folder, stateName))
+    if (!shellFileExists(time_, folder, stateName))
     {
-        readInterfaceState(IOdictionary(shellFile(time_, folder, stateName)));
+        return;
     }
+    const IOdictionary state(shellFile(time_, folder, stateName));
+    readAccounts(state);
+    if (!Pstream::parRun())
+    {
+        resumeNodes(state);
+        return;
+    }
+    const fileName own(time_.path()/folder/stateName);
+    dictionary memory;
+    if (isFile(own))
+    {
+        IFstream is(own);
+        memory.read(is);
+    }
+    resumeNodes(memory);
 }
 
 
 void Foam::shellCoupling::saveForRestart()
 {
+    const fileName folder(time_.timeName()/"shell");
     writeShellFile
     (
-        time_, time_.timeName()/"shell", stateName, "dictionary",
-        stateEntries{[this](Ostream& os) { writeInterfaceState(os); }}
+        time_, folder, stateName, "dictionary",
+        stateEntries
+        {
+            [this](Ostream& os)
+            {
+                writeAccounts(os);
+                if (!Pstream::parRun())
+                {
+                    writeNodeMemory(os);
+                }
+            }
+        }
     );
+    if (Pstream::parRun())
+    {
+        mkDir(time_.path()/folder);
+        OFstream os(time_.path()/folder/stateName);
+        os.precision(fullPrecision);
+        IOobject(stateName, folder, time_).writeHeader(os, "dictionary");
+        writeNodeMemory(os);
+        IOobject::writeEndDivider(os);
+    }
 }

@@ -34,7 +34,6 @@ void Foam::twoWay::advance()
 {
     const scalar duration = time_.deltaTValue();
     beginStep(duration);
-    shell_->storeOldState();
     advanceShell(duration);
 
     vectorField displacement, velocity;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 namespace positionalShell
@@ -42,7 +43,8 @@ IntervalIntegrator::IntervalIntegrator
 )
 :
     integrator_(integrator),
-    options_(options)
+    options_(options),
+    guard_(integrator.model())
 {
     if (options_.maxCuts < 0)
     {
@@ -59,6 +61,25 @@ IntervalIntegrator::IntervalIntegrator
           + " is negative"
         );
     }
+}
+
+void IntervalIntegrator::refuseSpurious
+(
+    const ShellState& start,
+    DynamicStep& step
+)
+{
+    const double excess = guard_.excess(start, step);
+    if (excess == 0) return;
+
+    char text[80];
+    std::snprintf
+    (
+        text, sizeof(text), "the step makes %.3g J from nothing: %s", excess,
+        "a spurious solution"
+    );
+    step.converged = false;
+    step.report.message = text;
 }
 
 //- Another length of step costs a factorisation: only a useful change is made
@@ -88,6 +109,7 @@ std::vector<DynamicStep> IntervalIntegrator::advance
         try
         {
             failed = integrator_.step(here, dt, loads, part.force);
+            if (failed.converged) refuseSpurious(here, failed);
         }
         catch (const SingularMatrix& singular)
         {

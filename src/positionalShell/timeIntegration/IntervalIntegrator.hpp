@@ -2,13 +2,14 @@
 //
 // Takes a shell over an interval of time in as many steps as it needs: one, as long
 // as it converges and no error is bounded. A step that does not converge is cut and
-// repeated from its start; with an error tolerance the length of the steps follows
-// from the estimate of the local error, (T13)-(T14).
+// repeated from its start, and so is one that makes energy from nothing (EnergyGuard);
+// with an error tolerance the length of the steps follows from the estimate of the
+// local error, (T13)-(T14).
 
 #ifndef positionalShell_IntervalIntegrator_hpp
 #define positionalShell_IntervalIntegrator_hpp
 
-#include "TimeIntegrator.hpp"
+#include "EnergyGuard.hpp"
 
 namespace positionalShell
 {
@@ -47,6 +48,10 @@ private:
 
     TimeIntegrator& integrator_;
     IntervalOptions options_;
+    EnergyGuard guard_;
+
+    //- Take back that a step has converged when it makes energy from nothing
+    void refuseSpurious(const ShellState& start, DynamicStep& step);
 
     //- Length of the next step over that of one with this error, (T14)
     double factor(double error) const;

@@ -81,6 +81,7 @@ public:
     //  the change of the accelerations over a step tells, (T13)
     double errorEstimate(const ShellState& start, const ShellState& end) const;
 
+    const ShellModel& model() const { return model_; }
     double massDamping() const { return massDamping_; }
     const LinearSolverReport& linearReport() const
     {
@@ -97,7 +98,6 @@ protected:
         const MotionOptions& options
     );
 
-    const ShellModel& model() const { return model_; }
     Newton& newton() { return newton_; }
 
     //- std::invalid_argument with the integrator's name unless the condition holds

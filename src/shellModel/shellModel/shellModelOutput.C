@@ -41,6 +41,18 @@ bool Foam::shellModel::writeObject
 }
 
 
+void Foam::shellModel::writeOwnTime() const
+{
+    if (now_.account)
+    {
+        const word name(Time::timeName(now_.state.time));
+        writeState(name);
+        Info<< "The shell's last good state is written to " << name
+            << "/shell" << endl;
+    }
+}
+
+
 void Foam::shellModel::describe(Ostream& os) const
 {
     os  << "Shell: " << label(mesh().nElements()) << " cubic triangles, "

@@ -304,6 +304,7 @@ void Foam::gasSolver<dim>::stopIfBad
 
     const word failedAt(mesh_.poly().time().timeName());
     writeState();
+    if (beforeStop_) beforeStop_();
 
     if (teller == Pstream::myProcNo())
     {

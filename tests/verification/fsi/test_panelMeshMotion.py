@@ -233,6 +233,32 @@ def test_sameAnswerOnSeveralProcesses(panel, tmp_path, n):
     assert float(lines[0][1]) == pytest.approx(float(lines[1][1]), rel=1e-12)
 
 
+@pytest.mark.parametrize("scheme, loads", [
+    ("predictedMotion", "end"), ("iterated", "end"), ("twoWay", "average")])
+def test_parallelRestartIsTheSameRun(tmp_path, scheme, loads):
+    """What a scheme keeps of the last step belongs to the interface nodes of
+    each process."""
+    tips = []
+    for name in ("whole", "parts"):
+        case = Panel(tmp_path / name, end="8e-5" if name == "parts" else END)
+        case.set("constant/couplingProperties", "coupling", scheme)
+        case.run("foamDictionary", "constant/couplingProperties", "-entry",
+                 "loads", "-add", loads)
+        (case.path / "system" / "decomposeParDict").write_text(
+            SIMPLE.format(parts=2, n="(1 2 1)"))
+        case.run("decomposePar")
+        case.log = case.runParallel(2, "shockShellFoam")
+        if name == "parts":
+            case.set("system/controlDict", "endTime", END)
+            case.set("system/controlDict", "startFrom", "latestTime")
+            case.log = case.runParallel(2, "shockShellFoam")
+            assert "not known on this decomposition" not in case.log
+        tips.append(case.tip("8e-05" if name == "parts" else 0))
+    whole, parts = tips
+    np.testing.assert_allclose(parts, whole[-len(parts):], rtol=0,
+                               atol=1e-12*abs(whole[:, 1:]).max())
+
+
 @pytest.mark.parametrize("scheme", ["predictedMotion", "iterated"])
 def test_gasFirstOnTwoProcesses(tmp_path, scheme):
     """The interface's motion of both together is predicted and iterated."""

@@ -30,7 +30,7 @@ def freePlate(t, m, p, c):
 
 @pytest.mark.parametrize("scheme, bound", [
     ("twoWay", 4e-4), ("predictedMotion", 2e-4), ("iterated", 2e-4)])
-def test_freePlateInUniformGas(tmp_path, scheme, bound):
+def test_freePlateInUniformGas(tmp_path, table, scheme, bound):
     """Halves with the mesh and the step."""
     errors = []
     for cells in (200, 400):
@@ -40,6 +40,9 @@ def test_freePlateInUniformGas(tmp_path, scheme, bound):
         t, _, v = case.motion()
         exact = freePlate(t, MASS, P0, soundSpeed(T0))
         errors.append(abs(v - exact).max() / exact[-1])
+    table.add(f"free plate in uniform gas, `{scheme}`",
+              "velocity, 200 and 400 cells, largest error over the largest",
+              errors, "simple wave, exact", [bound])
     assert errors[0] < bound
     assert errors[1] < 0.55 * errors[0]
 
@@ -62,7 +65,7 @@ def shocked(x):
 
 
 @pytest.mark.parametrize("name", SHOCK_ON_PLATE)
-def test_shockOnPlate(tmp_path, name):
+def test_shockOnPlate(tmp_path, table, name):
     options, expected = SHOCK_ON_PLATE[name]
 
     def run(cells):
@@ -79,6 +82,9 @@ def test_shockOnPlate(tmp_path, name):
         return t, x, np.abs(errors)
 
     t, x, errors = run(1010)
+    table.add(f"shock of Mach 1.21 on a plate, {name}",
+              "displacement at 1 and 2 ms, error", errors,
+              "simple wave, converged 1D solution", "2e-3")
     assert errors.max() < 2e-3
     if name == "front":
         assert (errors < 0.6 * run(510)[2]).all()
@@ -144,7 +150,7 @@ def coupleChamber(case, scheme, **entries):
     return case.couple(scheme, pRef=1e5 + SPRING * START, **entries)
 
 
-def test_closedChamber(tmp_path):
+def test_closedChamber(tmp_path, table):
     case = chamber(tmp_path / "case", 1000, 50)
     coupleChamber(case, "predictedMotion", subCycles="adaptive")
     period = 2 * np.pi * np.sqrt(1000 / SPRING)
@@ -152,6 +158,8 @@ def test_closedChamber(tmp_path):
     t, x, _ = case.motion()
     u = START + x
     second = t > period
+    table.add("chamber with a spring piston, 1000 kg/m2", "least place [m]",
+              float(u[second].min()), "-0.19954", "1e-4")
     # source: 1-D ALE solution on 800 cells, converged to 1e-5 m
     assert u[second].min() == pytest.approx(-0.19954, abs=1e-4)
     assert t[second][u[second].argmin()] == pytest.approx(0.09362, rel=2e-3)
@@ -161,6 +169,22 @@ def test_closedChamber(tmp_path):
     assert min(steps) >= 2 and max(steps) <= 12
     assert max(float(c) for c in re.findall(
         r"step\(s\), (\S+) of the stable", case.log)) <= 0.8 + 1e-9
+
+
+def test_closedChamberWithShocks(tmp_path, table):
+    """A plate of 10 kg/m2 drives shocks, whose losses damp it."""
+    case = chamber(tmp_path / "case", 10, 200, capturing="fluxCorrected")
+    coupleChamber(case, "predictedMotion", subCycles=2)
+    period = 2 * np.pi * np.sqrt(10 / SPRING)
+    t, x, _ = case.runTo(2 * period, deltaT=period / 500).motion()
+    table.add("the same, 10 kg/m2, shocks", "least place [m]",
+              START + float(x[t < 0.75 * period].min()), "-0.19103", "3e-4")
+    # source: 1-D ALE solution on 800 cells: time [ms], place [m]
+    for time, place in ((1.570796, 0.0018604672), (3.141593, -0.19103313),
+                        (6.283185, 0.18366093), (9.424778, -0.16359119),
+                        (11.78097, 0.091106057)):
+        assert np.interp(1e-3 * time, t, START + x) == pytest.approx(
+            place, abs=3e-4)
 
 
 @pytest.fixture(scope="module")
@@ -198,17 +222,24 @@ def orders(tmp_path_factory):
     return observed
 
 
+def addOrders(table, scheme, order, bound):
+    table.add(f"closed chamber, `{scheme}`", "order in time of displacement, "
+              "velocity, difference of the works", list(order[-1]), "", bound)
+
+
 @pytest.mark.parametrize("scheme", ("predictedMotion", "iterated"))
-def test_secondOrderInTime(orders, scheme):
+def test_secondOrderInTime(orders, table, scheme):
     order, _ = orders(scheme)
+    addOrders(table, scheme, order, "2 +- 0.1, 2 +- 0.1, above 1.8")
     assert (abs(order[:, :2] - 2) < 0.1).all()
     # The works by loads at both ends differ by less than the motion's error
     assert (order[:, 2] > 1.8).all()
 
 
-def test_firstOrderInTime(orders):
+def test_firstOrderInTime(orders, table):
     """The lag of the loads; the error of Newmark's rule is of second order."""
     order, errors = orders("twoWay")
+    addOrders(table, "twoWay", order, "-, 1 +- 0.25, 1 +- 0.1")
     assert (abs(order[:, 1] - 1) < 0.25).all()
     assert (abs(order[:, 2] - 1) < 0.1).all()
     assert errors[-1, 1] > 4 * orders("predictedMotion")[1][-1, 1]
@@ -242,7 +273,9 @@ def test_staggeredSchemesHaveALeastMassRatio(
     tmp_path, scheme, stable, unstable
 ):
     case, v = lightPlate(tmp_path / "stable", scheme, stable)
-    assert v[-5:] == pytest.approx(1, abs=0.02)
+    # What the first step starts decays slowly near the limit
+    assert v[-5:] == pytest.approx(1, abs=0.05)
+    assert abs(v[-5:] - 1).max() < 0.5 * abs(v[5:15] - 1).max()
     assert "is not safe, (C20)" in case.log
     case, v = lightPlate(tmp_path / "unstable", scheme, unstable)
     assert abs(v[-5:]).max() > 3

@@ -3,6 +3,7 @@ import re
 import shutil
 import sys
 from dataclasses import dataclass
+from math import ceil
 from pathlib import Path
 
 import numpy as np
@@ -33,10 +34,13 @@ def reason(log):
 
 @dataclass(frozen=True)
 class Mesh:
-    """coarser: cell sizes are this many times those of the base case."""
+    """coarser: cell sizes are this many times those of the base case.
+    overPanel: cells over the panel's thickness, times as many as by coarser.
+    """
     length: int                 # mm, a base case shockPanel<length> exists
     thickness: float = 1.0      # mm
-    coarser: int = 2
+    coarser: float = 2
+    overPanel: int = 1
 
 
 def coarsened(blockMeshDict, mesh):
@@ -51,9 +55,13 @@ def coarsened(blockMeshDict, mesh):
 
     def cells(match):
         counts = [int(n) for n in match.group(2).split()]
-        if counts[0] == round(1/CELL_OVER_PANEL):
+        overPanel = counts[0] == round(1/CELL_OVER_PANEL)
+        if overPanel:
             counts[0] = over
-        counts = [-(-n//mesh.coarser) for n in counts[:2]] + counts[2:]
+        # Rounded up, but not what is whole but for its rounding
+        counts = [ceil(n/mesh.coarser - 1e-9) for n in counts[:2]] + counts[2:]
+        if overPanel:
+            counts[0] *= mesh.overPanel
         return match.group(1) + "(%d %d %d)" % tuple(counts)
 
     text, blocks = re.subn(

@@ -22,8 +22,8 @@ Foam::shellIntegrators::dynamicIntegrator::dynamicIntegrator
     const dictionary& shellProperties
 )
 {
-    interval_.maxCuts = readMaxCuts(shellProperties);
-    shellProperties.readIfPresent("errorTolerance", interval_.errorTolerance);
+    options_.maxCuts = readMaxCuts(shellProperties);
+    shellProperties.readIfPresent("errorTolerance", options_.errorTolerance);
 }
 
 
@@ -32,15 +32,7 @@ void Foam::shellIntegrators::dynamicIntegrator::start
     const dictionary& shellProperties
 )
 {
-    rejectedIn
-    (
-        shellProperties,
-        [this]
-        {
-            reset();
-            positionalShell::IntervalIntegrator(*method_, interval_);
-        }
-    );
+    rejectedIn(shellProperties, [this] { reset(); });
 }
 
 
@@ -68,12 +60,11 @@ Foam::shellIntegrators::dynamicIntegrator::advance
     // Length of the next step within the interval
     double wanted = memory.size() > 0 ? memory[0] : 0;
 
-    positionalShell::IntervalIntegrator interval(*method_, interval_);
     std::vector<positionalShell::DynamicStep> steps
     (
-        interval.advance(start, dt, loads, given, wanted)
+        interval_->advance(start, dt, loads, given, wanted)
     );
-    if (interval_.errorTolerance > 0)
+    if (options_.errorTolerance > 0)
     {
         memory = positionalShell::Vector::Constant(1, wanted);
     }
@@ -83,5 +74,10 @@ Foam::shellIntegrators::dynamicIntegrator::advance
 
 void Foam::shellIntegrators::dynamicIntegrator::reset()
 {
+    interval_.reset();
     method_ = make();
+    interval_ = std::make_unique<positionalShell::IntervalIntegrator>
+    (
+        *method_, options_
+    );
 }
