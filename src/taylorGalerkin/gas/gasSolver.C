@@ -110,7 +110,11 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
 {
     checkKeywords
     (
-        feSchemes_, {"timeScheme", "shockCapturing", "quiescentZones"}
+        feSchemes_,
+        {
+            "timeScheme", "shockCapturing", "quiescentZones",
+            "quiescentTolerance"
+        }
     );
     if (transport_.isPresent())
     {
@@ -418,6 +422,7 @@ void Foam::gasSolver<dim>::step(const scalar dt)
             << state_.p(bad) << " Pa";
     }
     stopIfBad(bad, what.str(), dt);
+    boundary_.endStep(state_.rows, dt);
     zones_.update(state_, boundary_.prescribed());
     stateTime_ += dt;
     stableIsUpToDate_ = false;
