@@ -110,11 +110,7 @@ Foam::gasSolver<dim>::gasSolver(feMesh& mesh)
 {
     checkKeywords
     (
-        feSchemes_,
-        {
-            "timeScheme", "shockCapturing", "quiescentZones",
-            "quiescentTolerance"
-        }
+        feSchemes_, {"timeScheme", "shockCapturing", "quiescentZones"}
     );
     if (transport_.isPresent())
     {

@@ -6,7 +6,6 @@
 #include "PstreamReduceOps.H"
 
 #include <algorithm>
-#include <cmath>
 
 template<int dim>
 Foam::quiescentZones<dim>::quiescentZones
@@ -18,16 +17,8 @@ Foam::quiescentZones<dim>::quiescentZones
     geometry_(geometry),
     sleeping_(false),
     started_(false),
-    still_(uniformRow(0)),
-    margin_(uniformRow(0)),
-    tolerance_(feSchemes.getOrDefault<scalar>("quiescentTolerance", 0))
+    still_(uniformRow(0))
 {
-    if (tolerance_ < 0 || tolerance_ > 1e-3)
-    {
-        FatalIOErrorInFunction(feSchemes)
-            << "quiescentTolerance is " << tolerance_
-            << ", outside of 0 to 1e-3" << exit(FatalIOError);
-    }
     if (!feSchemes.getOrDefault<Switch>("quiescentZones", true))
     {
         forbid("quiescentZones is off in " + feSchemes.name().name());
@@ -87,13 +78,6 @@ void Foam::quiescentZones<dim>::findStill(const gasState<dim>& state)
     for (double& value : still_.v)
     {
         Pstream::scatter(value);
-    }
-    if (tolerance_ > 0)
-    {
-        const double rho = still_[0], E = still_[dim + 1];
-        margin_ = uniformRow(tolerance_*std::sqrt(rho*E));
-        margin_[0] = tolerance_*rho;
-        margin_[dim + 1] = tolerance_*E;
     }
 }
 
