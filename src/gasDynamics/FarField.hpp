@@ -39,10 +39,28 @@ inline double incomingOfPlaneWave
 }
 
 
+//! Velocity [m/s] of a plane wave that brings gas at the pressure p and the
+//  speed of sound c to the pressure inner: pi of eq. (G70)
+inline double strengthOfWave
+(
+    const PerfectGas& gas,
+    double inner,
+    double p,
+    double c
+)
+{
+    const double half = 0.5*(gas.gamma() - 1);
+    return c/half*(std::pow(inner/p, half/gas.gamma()) - 1);
+}
+
+
 //! The state outside of a surface through which a wave leaves: the undisturbed
 //  outer state, plus what is incoming along the normal of a plane wave
 //  that leaves obliquely, eqs. (G70)-(G72). The outer state itself where the
 //  wave goes along the normal.
+//
+//  afterflow: velocity [m/s] that a curved wave has and a plane one of its
+//  pressure has not, eq. (G74)
 template<int dim>
 State<dim> outsideOfWave
 (
@@ -50,15 +68,17 @@ State<dim> outsideOfWave
     const State<dim>& inner,
     const State<dim>& outer,
     const Vec<dim>& S,
-    const Vec<dim>& w
+    const Vec<dim>& w,
+    const Vec<dim>& afterflow
 )
 {
     const Vec<dim> n = S.normalized();
     const Vec<dim> outerU = velocity<dim>(outer);
-    const Vec<dim> u = velocity<dim>(inner) - outerU;
+    const Vec<dim> u = velocity<dim>(inner) - outerU - afterflow;
     const double normal = u.dot(n);
+    const double ofCurvature = -afterflow.dot(n);
     const double tangential = (u - normal*n).norm();
-    if (tangential == 0)
+    if (tangential == 0 && ofCurvature == 0)
     {
         return outer;
     }
@@ -67,19 +87,15 @@ State<dim> outsideOfWave
     const double c = gas.soundSpeed(p, outer[0]);
     const double half = 0.5*(gas.gamma() - 1);
     const double perPressure = half/gas.gamma();
-    const double pi =
-        c/half
-       *(std::pow(pressure<dim>(gas, inner)/p, perPressure) - 1);
+    const double pi = strengthOfWave(gas, pressure<dim>(gas, inner), p, c);
 
     // Half of the incoming wave is pressure, half is velocity; not more of
     // it than half of what empties the gas
     const double mach = (outerU - w).dot(n)/c;
     const double most = 0.5*c/half;
-    const double wave = std::max
-    (
-        -most,
-        std::min(most, 0.5*incomingOfPlaneWave(pi + normal, tangential, mach))
-    );
+    const double incoming =
+        incomingOfPlaneWave(pi + normal, tangential, mach) + ofCurvature;
+    const double wave = std::max(-most, std::min(most, 0.5*incoming));
     const double cNew = c + half*wave;
     const double pNew = p*std::pow(cNew/c, 1/perPressure);
     return conserved<dim>
@@ -98,16 +114,18 @@ State<dim> farFieldFlux
     const State<dim>& inner,
     const State<dim>& outer,
     const Vec<dim>& S,
-    const Vec<dim>& w
+    const Vec<dim>& w,
+    const Vec<dim>& afterflow = Vec<dim>::Zero()
 )
 {
-    if (inner == outer)
+    if (inner == outer && afterflow == Vec<dim>::Zero())
     {
         return fluxThrough<dim>(outer, pressure<dim>(gas, outer), S, w);
     }
     return hllcFlux<dim>
     (
-        gas, inner, outsideOfWave<dim>(gas, inner, outer, S, w), S, w
+        gas, inner, outsideOfWave<dim>(gas, inner, outer, S, w, afterflow),
+        S, w
     );
 }
 

@@ -96,8 +96,6 @@ Foam::gasBoundary<dim>::gasBoundary
     checkWalls(viscous);
     classify();
     const scalar time = geometry.mesh().poly().time().value();
-    findOuterNodes();
-    readOuterStates(time);
     findBoundaryNodes();
     if (hasPrescribed_)
     {
@@ -252,60 +250,13 @@ void Foam::gasBoundary<dim>::classify()
 
     open_.transfer(open);
     farField_.transfer(farField);
-}
-
-
-template<int dim>
-void Foam::gasBoundary<dim>::findOuterNodes()
-{
-    outer_.setSize(farField_.size());
-    forAll(farField_, i)
+    for (const fePatch* patch : farField_)
     {
-        const fePatch& patch = *farField_[i];
-        outer_[i].resize(patch.nodes.size());
-    }
-}
-
-
-template<int dim>
-void Foam::gasBoundary<dim>::readOuterStates(const scalar time)
-{
-    const feMesh& mesh = geometry_.mesh();
-    forAll(farField_, i)
-    {
-        const fePatch& patch = *farField_[i];
-        auto outerOf = [&](auto& field) -> const auto&
-        {
-            using Type = typename std::decay_t<decltype(field)>::value_type;
-            auto& pf = refCast<farFieldPointPatchField<Type>>
-            (
-                field.boundaryFieldRef(false)[patch.index]
-            );
-            pf.setTime(time);
-            outerVaries_ = outerVaries_ || pf.varies();
-            return pf.outer();
-        };
-        const auto& p = outerOf(p_);
-        const auto& U = outerOf(U_);
-        const auto& T = outerOf(T_);
-
-        const labelList& points =
-            p_.boundaryField()[patch.index].patch().meshPoints();
-        forAll(points, pointi)
-        {
-            const label node = mesh.nodeOfPoint()[points[pointi]];
-            const label local = findLower(patch.nodes, node + 1);
-            outer_[i][local] = gasDynamics::conserved<dim>
-            (
-                eos_,
-                eos_.density(p[pointi], T[pointi]),
-                mesh.components<dim>
-                (
-                    U[pointi], mesh.poly().points()[points[pointi]]
-                ),
-                p[pointi]
-            );
-        }
+        farFlow_.append
+        (
+            new farFieldPatch<dim>(geometry_, eos_, *patch, p_, U_, T_)
+        );
+        outerVaries_ = outerVaries_ || farFlow_.last().varies();
     }
 }
 

@@ -93,10 +93,10 @@ void Foam::gasBoundary<dim>::accountFluxes
         addOpenFluxes(*patch, states, pRef, sum);
         enterThrough(*patch, pRef, dt, sum);
     }
-    forAll(farField_, i)
+    for (const farFieldPatch<dim>& flow : farFlow_)
     {
-        addFarFieldFluxes(i, states, pRef, sum);
-        enterThrough(*farField_[i], pRef, dt, sum);
+        flow.addFluxes(states, pRef, sum);
+        enterThrough(flow.patch(), pRef, dt, sum);
     }
 }
 

@@ -168,71 +168,6 @@ void Foam::gasBoundary<dim>::addOpenFluxes
 
 
 template<int dim>
-void Foam::gasBoundary<dim>::addFarFieldFluxes
-(
-    const label patchi,
-    const gasRows& states,
-    const double pRef,
-    gasRows& sum
-) const
-{
-    constexpr int n = gasKernel::place<dim>::nConserved;
-    constexpr int force = gasKernel::place<dim>::force;
-    const activeParts& active = geometry_.active();
-    const patchSurface<dim>& surface =
-        geometry_.surface(*farField_[patchi]);
-    std::vector<double>& swept = swept_;
-    swept.assign(surface.nodes().size(), 0.0);
-    if (geometry_.moving())
-    {
-        for (std::size_t i = 0; i < swept.size(); ++i)
-        {
-            const auto& node = surface.nodes()[i];
-            swept[i] = node.M.dot(geometry_.w(node.a));
-        }
-        for (const auto& pair : surface.pairs())
-        {
-            swept[pair.placeOfA] += pair.M.dot(geometry_.w(pair.b));
-            swept[pair.placeOfB] += pair.M.dot(geometry_.w(pair.a));
-        }
-    }
-    for (std::size_t i = 0; i < swept.size(); ++i)
-    {
-        const auto& node = surface.nodes()[i];
-        if (active.asleep(node.a))
-        {
-            continue;
-        }
-        // Facets that face each other let nothing through together
-        const Vec& S = node.S;
-        if (S.squaredNorm() == 0)
-        {
-            continue;
-        }
-
-        // The velocity along S that sweeps the same volume
-        const Vec w = swept[i]/S.squaredNorm()*S;
-        const Eigen::Map<const State> inner(states[node.a].v);
-        const State f = gasDynamics::farFieldFlux<dim>
-        (
-            eos_, inner, outer_[patchi][i], S, w
-        );
-        gasRow& row = sum[node.a];
-        const double p = states[node.a][gasKernel::place<dim>::p] - pRef;
-        for (int k = 0; k < n; ++k)
-        {
-            row[k] -= f[k];
-        }
-        for (int k = 0; k < dim; ++k)
-        {
-            row[1 + k] += pRef*S[k];
-            row[force + k] -= p*S[k];
-        }
-    }
-}
-
-
-template<int dim>
 void Foam::gasBoundary<dim>::sumFluxes
 (
     const gasRows& states,
@@ -252,9 +187,9 @@ void Foam::gasBoundary<dim>::sumFluxes
     {
         addOpenFluxes(*patch, states, pRef, sum);
     }
-    forAll(farField_, patchi)
+    for (const farFieldPatch<dim>& flow : farFlow_)
     {
-        addFarFieldFluxes(patchi, states, pRef, sum);
+        flow.addFluxes(states, pRef, sum);
     }
 }
 

@@ -92,9 +92,13 @@ void Foam::gasBoundary<dim>::beginStep
     const scalar dt
 )
 {
-    if (outerVaries_)
+    for (farFieldPatch<dim>& flow : farFlow_)
     {
-        readOuterStates(start + 0.5*dt);
+        if (flow.varies())
+        {
+            flow.readOuterStates(start + 0.5*dt);
+        }
+        flow.beginStep(states, dt);
     }
     if (!hasPrescribed_)
     {
@@ -109,6 +113,16 @@ void Foam::gasBoundary<dim>::beginStep
                 Eigen::Map<const State>(states[prescribed_[i]].v);
             prescribedRate_[i] = (withPrescribed(values_[i], s) - s)/dt;
         }
+    }
+}
+
+
+template<int dim>
+void Foam::gasBoundary<dim>::endStep(const gasRows& states, const scalar dt)
+{
+    for (farFieldPatch<dim>& flow : farFlow_)
+    {
+        flow.endStep(states, dt);
     }
 }
 

@@ -419,6 +419,7 @@ void Foam::gasSolver<dim>::step(const scalar dt)
             << state_.p(bad) << " Pa";
     }
     stopIfBad(bad, what.str(), dt);
+    boundary_.endStep(state_.rows, dt);
     zones_.update(state_, boundary_.prescribed());
     stateTime_ += dt;
     stableIsUpToDate_ = false;

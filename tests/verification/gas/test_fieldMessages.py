@@ -38,3 +38,24 @@ def test_farFieldWithoutItsState(case):
 def test_unknownTypeNamesTheValidOnes(case):
     case.set("0/p", "boundaryField/ends", "{ type fixedValeu; }")
     fails(case, "fixedValeu", "fixedValue", "farField", "/0/p")
+
+
+def farFields(case, waves, field="p"):
+    """farField for all, with the entries of waves in one of the fields."""
+    for name, value in (("p", "1"), ("U", "(0 0 0)"), ("T", "1")):
+        entries = waves if name == field else ""
+        case.set(f"0/{name}", "boundaryField/ends",
+                 f"{{ type farField; value uniform {value}; {entries} }}")
+
+
+@pytest.mark.parametrize("waves, field, expected", [
+    ("waves round; origin (0 0 0);", "p", ["round", "spherical", "plane"]),
+    ("waves spherical;", "p", ["origin", "/0/p"]),
+    ("waves spherical; origin (3 0 0);", "U", ["entry of p", "/0/U"]),
+    ("waves spherical; origin (3 0 0);", "T", ["belongs to p", "/0/T"]),
+    # A line without curvature has plane waves only
+    ("waves spherical; origin (3 0 0);", "p", ["ends", "1 dimension"]),
+])
+def test_curvedWaves(case, waves, field, expected):
+    farFields(case, waves, field)
+    fails(case, *expected)

@@ -44,6 +44,17 @@ MOVING = {
 }
 
 
+# Waves from a place inside, whose afterflow the nodes keep account of
+CURVED = {
+    "right": {
+        "p": "type farField; value uniform 1; waves spherical;"
+             " origin (0.4 0.5 0.3);",
+        "U": "type farField; value uniform (0.3 0.1 0);",
+        "T": "type farField; value uniform 1;",
+    },
+}
+
+
 STICKY = {
     "bottom": {"p": "type zeroGradient;", "U": "type noSlip;",
                "T": "type fixedValue; value uniform 1.2;"},
@@ -72,6 +83,8 @@ def makeCase(folder, kind):
         else {"back": "wall", "front": "wall"}))
     if kind == "viscous":
         sides.update(STICKY)
+    if kind == "moving":
+        sides.update(CURVED)
     case.start(blast, sides)
     if kind != "cyclic":
         case.move("pointDisplacement", MOVING)

@@ -12,7 +12,7 @@ DefineConstant[
     wallHeight = 4,
     wallHalfWidth = 4,
     wallThickness = 0.1,
-    outerRadius = 8,
+    outerRadius = 12,
 
     // With more than 1: more gas, up to this many outer radii (Allrun -wide)
     reach = 1,
@@ -25,21 +25,21 @@ DefineConstant[
 
     // Edges: in the bulb, and their growth with the distance from it
     bulbSize = 0.045,
-    bulbGrowth = 0.056,
+    bulbGrowth = 0.15,
 
     // Edges in the cone about the gauge line, which leads away from the wall:
     // proportional to the distance from the bulb's centre, but not below
     // gaugeSize; tangent of the cone's half angle, growth outside
-    gaugeSize = 0.043,
-    gaugeSlope = 0.016,
-    gaugeTan = 0.16,
-    gaugeGrowth = 0.4,
+    gaugeSize = 0.034,
+    gaugeSlope = 0.0135,
+    gaugeTan = 0.13,
+    gaugeGrowth = 0.5,
 
     // Edges on the wall, and their growth with the distance from it
     wallSize = 0.17,
-    wallGrowth = 0.3,
+    wallGrowth = 0.06,
 
-    largest = 1
+    largest = 0.42
 ];
 
 // Quarter of a ball, less the wall, or an eighth of it

@@ -71,6 +71,15 @@ class Run:
         rows = self.history("wallPoints/displacement.dat")
         return rows[:, 0], rows[:, 1::3]
 
+    def aloneDisplacement(self):
+        """The same of the wall without gas; None when it has not been run."""
+        files = list((self.folder / "alone" / "postProcessing").glob(
+            "wallPoints/*/displacement.dat"))
+        if not files:
+            return None
+        rows = np.loadtxt(files[0])
+        return rows[:, 0], rows[:, 1::3]
+
     def phases(self):
         """Share of the time [%] by phase."""
         return {name: float(share) for name, share in re.findall(
@@ -178,6 +187,26 @@ def deviation(run, other):
         np.abs(u[same, k] - np.interp(t[same], tOther, uOther[:, k])).max()
         / np.abs(uOther[:, k]).max() for k in range(u.shape[1])
     ]
+
+
+def aloneTable(runs):
+    """The wall without gas under the load of a charge, and the coupled one."""
+    rows = []
+    for run in runs:
+        alone = run.aloneDisplacement() if run.coupled else None
+        if alone is None:
+            continue
+        for k, point in enumerate(POINTS):
+            row = [run.name, point]
+            found = []
+            for t, u in (run.displacement(), alone):
+                m = np.abs(u[:, k]).argmax()
+                found.append(u[m, k])
+                row += [f"{1e3*u[m, k]:.3f}", f"{1e3*t[m]:.2f}"]
+            rows.append(row + [f"{100*(found[1]/found[0] - 1):+.1f}"])
+    return table(["run", "point", "coupled [mm]", "at [ms]",
+                  "without gas [mm]", "at [ms]", "off [%]"],
+                 rows) if rows else ""
 
 
 def alike(run, other):
@@ -309,6 +338,7 @@ def main():
         ("**Free field**", [freeFieldTable(usual)]),
         ("**Far field**", [farFieldTable(far)]),
         ("**Wall**", wallTables(usual) + [balanceTable(usual)]),
+        ("**Wall without gas**", [aloneTable(usual)]),
         ("**Frequencies**", [frequencyTable(usual)]),
     ):
         made = [text for text in made if text]

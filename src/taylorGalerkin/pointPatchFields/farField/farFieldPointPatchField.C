@@ -41,7 +41,8 @@ Foam::farFieldPointPatchField<Type>::farFieldPointPatchField
 )
 :
     pointPatchField<Type>(p, iF, dict),
-    outer_(p.size(), Zero)
+    outer_(p.size(), Zero),
+    curved_(dict, p.size(), pTraits<Type>::rank == 0)
 {
     if (dict.found("uniformValue"))
     {
@@ -66,7 +67,8 @@ Foam::farFieldPointPatchField<Type>::farFieldPointPatchField
 :
     pointPatchField<Type>(ptf, p, iF, mapper),
     outer_(ptf.outer_, mapper),
-    uniformValue_(copied(ptf))
+    uniformValue_(copied(ptf)),
+    curved_(ptf.curved_, mapper)
 {}
 
 
@@ -79,7 +81,8 @@ Foam::farFieldPointPatchField<Type>::farFieldPointPatchField
 :
     pointPatchField<Type>(ptf, iF),
     outer_(ptf.outer_),
-    uniformValue_(copied(ptf))
+    uniformValue_(copied(ptf)),
+    curved_(ptf.curved_)
 {}
 
 
@@ -100,6 +103,7 @@ void Foam::farFieldPointPatchField<Type>::autoMap
 )
 {
     outer_.autoMap(mapper);
+    curved_.autoMap(mapper);
 }
 
 
@@ -110,11 +114,9 @@ void Foam::farFieldPointPatchField<Type>::rmap
     const labelList& addr
 )
 {
-    outer_.rmap
-    (
-        refCast<const farFieldPointPatchField<Type>>(ptf).outer_,
-        addr
-    );
+    const auto& other = refCast<const farFieldPointPatchField<Type>>(ptf);
+    outer_.rmap(other.outer_, addr);
+    curved_.rmap(other.curved_, addr);
 }
 
 
@@ -126,5 +128,6 @@ void Foam::farFieldPointPatchField<Type>::write(Ostream& os) const
     {
         uniformValue_->writeData(os);
     }
+    curved_.write(os);
     outer_.writeEntry("value", os);
 }
