@@ -44,12 +44,21 @@ class Cantilever:
     def peerMesh(kind, nU, nV, steps):
         return f"{kind} {nU} x {nV}; {steps} step(s) at first"
 
-    def ours(self, folder, n, steps):
+    @staticmethod
+    def started(folder, n, steps, **options):
         run = ShellRun(
             folder, plate(n, 1, 10, 1), isotropic(1.2e6, 0, 0.1),
             {"root": {"type": "clamped", "nodeSet": "uMin"}})
-        run.run({"tip": ramp({"type": "edge", "nodeSet": "uMax",
-                              "forcePerLength": (0, 0, 4)})}, 1, steps)
+        return run.run({"tip": ramp({"type": "edge", "nodeSet": "uMax",
+                                     "forcePerLength": (0, 0, 4)})}, 1, steps,
+                       **options)
+
+    def startUp(self, folder):
+        """Seconds of the smallest case before its first step."""
+        return self.started(folder, *self.ourChoices[0], idle=True).seconds
+
+    def ours(self, folder, n, steps):
+        run = self.started(folder, n, steps)
         u = run.displacement(1)[run.mesh.node("uMaxvMin")]
         return run.seconds, relative((-u[0], u[2]), self.reference)
 

@@ -9,14 +9,16 @@ from shellFiles import readState
 class ShellRun(ShellCase):
     """ShellCase with dynamics, and with the time of the whole program."""
 
-    def run(self, loads, endTime, steps, probe=None, **properties):
-        """probe: a point whose displacement is recorded in every step."""
+    def run(self, loads, endTime, steps, probe=None, idle=False,
+            **properties):
+        """probe: a point whose displacement is recorded in every step; idle:
+        end before the first step."""
         self.writeMesh()
         self.write("constant/shellProperties", "dictionary", entries(
             {**self.properties, "loads": loads, **properties}))
         control = {
             "application": "positionalShellFoam", "startFrom": "startTime",
-            "startTime": 0, "stopAt": "endTime", "endTime": repr(endTime),
+            "startTime": 0, "stopAt": "endTime", "endTime": repr(0 if idle else endTime),
             "deltaT": repr(endTime / steps), "writeControl": "timeStep",
             "writeInterval": steps, "writeFormat": "ascii",
             "writePrecision": 12, "timeFormat": "general",
