@@ -22,6 +22,18 @@ Eigen::Matrix3d rotation(const Vec3& a, const Vec3& b)
     return Eigen::Matrix3d::Identity() + cross + cross*cross/(1 + cosine);
 }
 
+//- Whether the supports take forces along all axes
+bool held(const DofMap& dofs)
+{
+    bool along[3] = {false, false, false};
+    for (const auto& p : dofs.prescribed())
+    {
+        const int c = p.index%dofsPerNode;
+        if (c < 3) along[c] = true;
+    }
+    return along[0] && along[1] && along[2];
+}
+
 Vec3 director(const Vector& position, int node)
 {
     return position.segment<3>(dofsPerNode*node + 3);
@@ -31,7 +43,7 @@ Vec3 director(const Vector& position, int node)
 
 TurnedFactors::TurnedFactors(const DofMap& dofs)
 {
-    if (!dofs.ties().empty()) return;
+    if (!dofs.ties().empty() || !held(dofs)) return;
 
     std::vector<int> unknowns(dofs.nEquations(), 0);
     for (int equation : dofs.equations())

@@ -7,8 +7,9 @@
 // hundredths of a radian then costs several iterations.
 //
 // A preconditioner only: what an iteration converges to does not depend on it. Positions or
-// directors of a node of which a component is held or shared are not turned, and nothing is with
-// rigid ties.
+// directors of a node of which a component is held or shared are not turned. Nothing is with rigid
+// ties, or where a shell can fly along an axis: increments of its own factors keep the sum of the
+// forces, and so its momentum, to round-off instead of the tolerance of the iteration.
 
 #ifndef positionalShell_TurnedFactors_hpp
 #define positionalShell_TurnedFactors_hpp

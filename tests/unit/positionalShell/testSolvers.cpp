@@ -72,7 +72,8 @@ TEST(TurnedFactors, areThoseOfABodyThatTurnedAsAWhole)
     const ShellMesh mesh = strip(3, 2);
     const ShellModel model
     (
-        mesh, {{"all", 0.05, material(1.2e6, 0.3)}}, Constraints(mesh).dofMap()
+        mesh, {{"all", 0.05, material(1.2e6, 0.3)}},
+        Constraints(mesh).hinged("uMin").dofMap()
     );
     const auto factorise = [&](const Vector& q, LinearSolver& solver)
     {
@@ -103,6 +104,32 @@ TEST(TurnedFactors, areThoseOfABodyThatTurnedAsAWhole)
     EXPECT_LT((turned.solve(kept, after, r) - x).norm(), 1e-9*x.norm());
     EXPECT_GT((kept.solve(r) - x).norm(), 0.1*x.norm());
     EXPECT_EQ(turned.solve(kept, before, r), kept.solve(r));
+}
+
+TEST(TurnedFactors, leaveFactorsOfShellsThatCanFlyAlone)
+{
+    const ShellMesh mesh = strip(3, 2);
+    for (bool along : {false, true})
+    {
+        Constraints constraints(mesh);
+        if (along) constraints.symmetryPlane("uMin", Axis::x);
+        const ShellModel model
+        (
+            mesh, {{"all", 0.05, material(1.2e6, 0.3)}}, constraints.dofMap()
+        );
+        SystemMatrix K = model.makeMatrix();
+        const Vector q = mesh.initialPositions();
+        model.addTangent(q, K);
+        model.addMass(1e4, K);
+        LinearSolver solver;
+        solver.factorise(K);
+        TurnedFactors turned(model.dofs());
+        turned.madeAt(q);
+        Vector after = q;
+        for (int i = 0; i < mesh.nNodes(); ++i) after[7*i + 4] += 0.3;
+        const Vector r = randomVector(model.dofs().nEquations(), 3);
+        EXPECT_EQ(turned.solve(solver, after, r), solver.solve(r)) << along;
+    }
 }
 
 TEST(LinearSolver, fallsBackToLUWhereTheMatrixIsIndefinite)
