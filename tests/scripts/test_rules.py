@@ -16,20 +16,21 @@ CODE = OPENFOAM + PLAIN + (".py", ".sh")
 # What each library may use: dependencies point one way
 USES = {
     "gasDynamics": set(),
+    "dictionaryCheck": set(),
     "feMesh": {"gasDynamics"},
     "positionalShell": {"gasDynamics"},
-    "initialStates": {"feMesh", "gasDynamics"},
-    "taylorGalerkin": {"feMesh", "gasDynamics"},
-    "shellModel": {"positionalShell", "feMesh", "gasDynamics"},
-    "shellMeshing": {"shellModel", "positionalShell", "feMesh", "gasDynamics"},
-    "meshMotion": {"feMesh", "gasDynamics"},
+    "initialStates": {"dictionaryCheck", "feMesh", "gasDynamics"},
+    "taylorGalerkin": {"dictionaryCheck", "feMesh", "gasDynamics"},
+    "shellModel": {"dictionaryCheck", "positionalShell", "gasDynamics"},
+    "shellMeshing": {"shellModel", "positionalShell", "gasDynamics"},
+    "meshMotion": {"dictionaryCheck", "feMesh", "gasDynamics"},
     "fluidShellCoupling": {
-        "taylorGalerkin", "shellModel", "feMesh", "positionalShell",
-        "meshMotion", "gasDynamics",
+        "taylorGalerkin", "shellModel", "dictionaryCheck", "feMesh",
+        "positionalShell", "meshMotion", "gasDynamics",
     },
     "functionObjects": {
         "fluidShellCoupling", "taylorGalerkin", "shellModel", "meshMotion",
-        "feMesh", "positionalShell", "gasDynamics",
+        "dictionaryCheck", "feMesh", "positionalShell", "gasDynamics",
     },
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "LinearSolver.hpp"
+#include "SingleThread.hpp"
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/UmfPackSupport>
@@ -76,6 +77,7 @@ void LinearSolver::factoriseSymmetric(const SparseMatrix& K)
 
 bool LinearSolver::tryCholesky(const SparseMatrix& lower)
 {
+    const SingleThread alone;
     report_.nEquations = int(lower.rows());
     report_.last = Factorisation::none;
     if (!factors_->choleskyAnalysed)
@@ -97,6 +99,7 @@ bool LinearSolver::tryCholesky(const SparseMatrix& lower)
 
 void LinearSolver::makeLU(const SparseMatrix& K)
 {
+    const SingleThread alone;
     report_.nEquations = int(K.rows());
     report_.last = Factorisation::none;
 
@@ -132,6 +135,7 @@ Eigen::MatrixXd LinearSolver::solve(const Eigen::MatrixXd& B)
     {
         throw std::logic_error("LinearSolver: solve before factorise");
     }
+    const SingleThread alone;
     ++report_.nSolves;
     if (report_.last == Factorisation::cholesky)
     {

@@ -96,7 +96,11 @@ void Newton::makeTangent
     const Vector& residual
 )
 {
-    if (!matrix_) matrix_.reset(new SystemMatrix(problem.model().makeMatrix()));
+    if (!matrix_)
+    {
+        matrix_.reset(new SystemMatrix(problem.model().makeMatrix()));
+        turned_.reset(new TurnedFactors(problem.model().dofs()));
+    }
     factorsUsable_ = false;
     matrix_->setZero();
     problem.addStiffness(stress, *matrix_);
@@ -113,6 +117,7 @@ void Newton::makeTangent
         part ? UnsymmetricTangent::symmetricPart : UnsymmetricTangent::whole,
         linear_
     );
+    turned_->madeAt(problem.position());
     factorsUsable_ = true;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Newton-Raphson for equilibrium, (S22)-(S25), (N1)-(N2). Converged when
+// Newton-Raphson for equilibrium, (S22)-(S25), (N1)-(N3). Converged when
 //   - the residual of each kind of unknown (position, director, thickness
 //     strain) is within residualTolerance of its force scale, or within what
 //     round-off of the unknowns makes of it, (N1), and
@@ -21,6 +21,7 @@
 
 #include "EquilibriumProblem.hpp"
 #include "LinearSolver.hpp"
+#include "TurnedFactors.hpp"
 
 #include <memory>
 #include <string>
@@ -33,7 +34,8 @@ enum class TangentUpdate
 {
     everyIteration,     // full Newton
     whenSlow            // keep the factors, also from step to step, while
-                        // keptIterations more iterations with them are enough;
+                        // keptIterations more iterations with them are enough,
+                        // turned with the nodes, (N3);
                         // of unsymmetric tangents those of the symmetric part
                         // while they serve
 };
@@ -106,6 +108,7 @@ private:
     NewtonOptions options_;
     LinearSolver linear_;
     std::unique_ptr<SystemMatrix> matrix_;
+    std::unique_ptr<TurnedFactors> turned_;
     bool factorsUsable_ = false;
 
     //- Factors of the symmetric part alone did not serve in the present steps

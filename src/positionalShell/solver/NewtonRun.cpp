@@ -122,12 +122,17 @@ void Newton::Run::makeTangent()
     ownTangents_ = true;
 }
 
+Vector Newton::Run::solved()
+{
+    return newton_.turned_->solve(newton_.linear_, problem_.position(), residual_);
+}
+
 void Newton::Run::solveForIncrement(bool newTangent)
 {
     if (newTangent) makeTangent();
     if (newTangent || next_.size() == 0)
     {
-        increment_ = newton_.linear_.solve(residual_);
+        increment_ = solved();
     }
     else
     {
@@ -186,7 +191,7 @@ bool Newton::Run::takeIncrement()
         const bool kept = options().tangentUpdate == TangentUpdate::whenSlow;
         if (!lineSearch_ && !kept) return true;
 
-        next_ = newton_.linear_.solve(residual_);
+        next_ = solved();
         contraction_ = size(next_)/length;
         if (!lineSearch_ || contraction_ <= 1 - 0.25*fraction_) return true;
     }

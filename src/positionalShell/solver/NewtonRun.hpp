@@ -76,6 +76,9 @@ private:
     void solveForIncrement(bool newTangent);
     void makeTangent();
 
+    //- Increment from the present guess with the present factors
+    Vector solved();
+
     //- Take the increment, or the fraction of it that brings the solution nearer;
     //  false when there is none
     bool takeIncrement();

@@ -213,6 +213,17 @@ def sameError(runs):
                 interval(*one.ratio)) for one in found])]
 
 
+def startUp(problem, folder, options):
+    """What of our time is the start; nothing where that is of no account."""
+    if not hasattr(problem, "startUp"):
+        return ""
+    seconds = statistics.median(problem.startUp(folder / f"startUp-{k}")
+                                for k in range(options.repeat))
+    return (f"Of each of our runs {seconds:.3f} s pass before the first step:"
+            " loading OpenFOAM and the libraries, reading its settings and the"
+            " case.")
+
+
 def compared(name, options):
     problem = PROBLEMS[name]()
     ours, peers = (problem.quick if options.quick
@@ -223,6 +234,7 @@ def compared(name, options):
             problem.prepare(folder / "reference", options.quick)
         runs = {OURS: measured(problem.ours, problem.ourMesh, ours, folder,
                                options, OURS)}
+        start = startUp(problem, folder, options)
         if ccx.available():
             runs[PEER] = measured(problem.peer, problem.peerMesh, peers,
                                   folder, options, PEER)
@@ -233,7 +245,7 @@ def compared(name, options):
         f"### {problem.title}", head,
         f"Error: {problem.says}. {conditions(options)}",
         table(("code", "mesh", "processor time [s]", "error [%]"), rows),
-        *same]
+        *same, start]
     if options.page:
         parts.append(plot(name, problem.title, runs, options.page))
     return "\n\n".join(part for part in parts if part)

@@ -1,6 +1,7 @@
 """A case of positionalShellFoam, and the processor time of its run."""
 from ccx import children
 from foamCase import FoamCase
+from foamEnvironment import environment
 from shellCase import ShellCase, entries
 from shellFiles import readState
 
@@ -8,14 +9,16 @@ from shellFiles import readState
 class ShellRun(ShellCase):
     """ShellCase with dynamics, and with the time of the whole program."""
 
-    def run(self, loads, endTime, steps, probe=None, **properties):
-        """probe: a point whose displacement is recorded in every step."""
+    def run(self, loads, endTime, steps, probe=None, idle=False,
+            **properties):
+        """probe: a point whose displacement is recorded in every step; idle:
+        end before the first step."""
         self.writeMesh()
         self.write("constant/shellProperties", "dictionary", entries(
             {**self.properties, "loads": loads, **properties}))
         control = {
             "application": "positionalShellFoam", "startFrom": "startTime",
-            "startTime": 0, "stopAt": "endTime", "endTime": repr(endTime),
+            "startTime": 0, "stopAt": "endTime", "endTime": repr(0 if idle else endTime),
             "deltaT": repr(endTime / steps), "writeControl": "timeStep",
             "writeInterval": steps, "writeFormat": "ascii",
             "writePrecision": 12, "timeFormat": "general",
@@ -28,6 +31,8 @@ class ShellRun(ShellCase):
         self.write("system/controlDict", "dictionary", entries(control))
 
         self.case = FoamCase(self.folder / "source", self.folder / "case")
+        # Made once, by a shell of its own: before the clock starts
+        environment().update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
         before = children()
         self.case.run("positionalShellFoam")
         self.seconds = children() - before

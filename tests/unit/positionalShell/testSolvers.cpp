@@ -6,7 +6,9 @@
 #include "ReferenceTable.hpp"
 #include "ShellTestModels.hpp"
 #include "StaticSolver.hpp"
+#include "TurnedFactors.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,6 +65,71 @@ TEST(LinearSolver, usesCholeskyWhereTheMatrixIsPositiveDefinite)
     EXPECT_EQ(solver.report().nAnalyses, 1);
     EXPECT_EQ(solver.report().nCholesky, 2);
     EXPECT_EQ(solver.report().nSolves, 2);
+}
+
+TEST(TurnedFactors, areThoseOfABodyThatTurnedAsAWhole)
+{
+    const ShellMesh mesh = strip(3, 2);
+    const ShellModel model
+    (
+        mesh, {{"all", 0.05, material(1.2e6, 0.3)}},
+        Constraints(mesh).hinged("uMin").dofMap()
+    );
+    const auto factorise = [&](const Vector& q, LinearSolver& solver)
+    {
+        SystemMatrix K = model.makeMatrix();
+        model.addTangent(q, K);
+        model.addMass(1e4, K);
+        solver.factorise(K);
+    };
+
+    // Turned by 0.9 about an axis in its surface
+    const Vector before = mesh.initialPositions();
+    const Eigen::Matrix3d R =
+        Eigen::AngleAxisd(0.9, Vec3(0.6, 0.8, 0)).toRotationMatrix();
+    Vector after = before;
+    for (int i = 0; i < mesh.nNodes(); ++i)
+    {
+        after.segment<3>(7*i) = R*before.segment<3>(7*i) + Vec3(1, 2, 3);
+        after.segment<3>(7*i + 3) = R*before.segment<3>(7*i + 3);
+    }
+
+    LinearSolver kept, exact;
+    factorise(before, kept);
+    factorise(after, exact);
+    TurnedFactors turned(model.dofs());
+    turned.madeAt(before);
+    const Vector r = randomVector(model.dofs().nEquations(), 3);
+    const Vector x = exact.solve(r);
+    EXPECT_LT((turned.solve(kept, after, r) - x).norm(), 1e-9*x.norm());
+    EXPECT_GT((kept.solve(r) - x).norm(), 0.1*x.norm());
+    EXPECT_EQ(turned.solve(kept, before, r), kept.solve(r));
+}
+
+TEST(TurnedFactors, leaveFactorsOfShellsThatCanFlyAlone)
+{
+    const ShellMesh mesh = strip(3, 2);
+    for (bool along : {false, true})
+    {
+        Constraints constraints(mesh);
+        if (along) constraints.symmetryPlane("uMin", Axis::x);
+        const ShellModel model
+        (
+            mesh, {{"all", 0.05, material(1.2e6, 0.3)}}, constraints.dofMap()
+        );
+        SystemMatrix K = model.makeMatrix();
+        const Vector q = mesh.initialPositions();
+        model.addTangent(q, K);
+        model.addMass(1e4, K);
+        LinearSolver solver;
+        solver.factorise(K);
+        TurnedFactors turned(model.dofs());
+        turned.madeAt(q);
+        Vector after = q;
+        for (int i = 0; i < mesh.nNodes(); ++i) after[7*i + 4] += 0.3;
+        const Vector r = randomVector(model.dofs().nEquations(), 3);
+        EXPECT_EQ(turned.solve(solver, after, r), solver.solve(r)) << along;
+    }
 }
 
 TEST(LinearSolver, fallsBackToLUWhereTheMatrixIsIndefinite)

@@ -159,9 +159,10 @@ class ShellCase:
         self.write("constant/shellProperties", "dictionary",
                    entries({**self.properties, "loads": loads, **properties}))
 
-    def start(self, *options):
+    def start(self, *options, timeout=600):
         self.case = FoamCase(self.folder/"source", self.folder/"case")
-        self.log = self.case.run("positionalShellFoam", *options)
+        self.log = self.case.run("positionalShellFoam", *options,
+                                 timeout=timeout)
 
     def solve(self, loads, steps=1, newton=None, endTime=1):
         """Displacements of all nodes; loads that ramp are whole at 1."""

@@ -19,6 +19,7 @@ from resultPage import writePage  # noqa: E402
 FILES = [
     "test_shellLinear.py", "test_shellNonlinear.py", "test_shellPaths.py",
     "test_shellFrequencies.py", "test_shellStrips.py", "test_shellMotion.py",
+    "test_shellSections.py", "test_shellPinched.py",
 ]
 COLUMNS = ["case", "mesh", "quantity", "ours", "reference", "source", "bound"]
 
