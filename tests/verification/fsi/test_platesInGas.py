@@ -272,10 +272,9 @@ def lightPlate(folder, scheme, massRatio, n=20, steps=60, coeffs=""):
 def test_staggeredSchemesHaveALeastMassRatio(
     tmp_path, scheme, stable, unstable
 ):
-    case, v = lightPlate(tmp_path / "stable", scheme, stable)
     # What the first step starts decays slowly near the limit
-    assert v[-5:] == pytest.approx(1, abs=0.05)
-    assert abs(v[-5:] - 1).max() < 0.5 * abs(v[5:15] - 1).max()
+    case, v = lightPlate(tmp_path / "stable", scheme, stable, steps=120)
+    assert v[-5:] == pytest.approx(1, abs=0.02)
     assert "is not safe, (C20)" in case.log
     case, v = lightPlate(tmp_path / "unstable", scheme, unstable)
     assert abs(v[-5:]).max() > 3
