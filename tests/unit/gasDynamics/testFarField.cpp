@@ -120,7 +120,8 @@ void outsideIsPhysical()
         const State<dim> outer = random.state<dim>(gas, 3);
         const State<dim> out = outsideOfWave<dim>
         (
-            gas, inner, outer, random.vector<dim>(2), random.vector<dim>(2)
+            gas, inner, outer, random.vector<dim>(2), random.vector<dim>(2),
+            random.vector<dim>(100)
         );
         EXPECT_TRUE(isPhysical<dim>(gas, out)) << out.transpose();
     }
