@@ -70,22 +70,17 @@ TYPED_TEST(Positivity, limitedDensityStaysWithinItsBounds)
         const stepResult r = step(s, kernels, 0.8);
         std::vector<double> low(s.nNodes), high(s.nNodes);
         std::vector<double> leastOffer(s.nNodes), greatestOffer(s.nNodes);
-        std::vector<double> weighted(s.nNodes);
-        std::vector<bool> isStable(s.nNodes), isWeak(s.nNodes, true);
         for (int a = 0; a < s.nNodes; ++a)
         {
             const double old = s.state[rowSize*a], now = r.low[rowSize*a];
             low[a] = std::min(old, now);
             high[a] = std::max(old, now);
             const double courant = r.deltaT*r.speed[a]/s.volume[a];
-            weighted[a] = (0.25*dim + courant)*r.difference[rowSize*a];
-            isStable[a] = courant < dim/std::sqrt(3.0);
+            bool isSmooth = courant < dim/std::sqrt(3.0);
             for (int k = 0; k < dim; ++k)
             {
-                isWeak[a] =
-                    isWeak[a] && r.rate[rowSize*a + dim + 2 + k] == 0;
+                isSmooth = isSmooth && r.rate[rowSize*a + dim + 2 + k] == 0;
             }
-            const bool isSmooth = isStable[a] && isWeak[a];
             nSmooth += isSmooth;
             leastOffer[a] = isSmooth ? low[a] : now;
             greatestOffer[a] = isSmooth ? high[a] : now;
@@ -102,40 +97,31 @@ TYPED_TEST(Positivity, limitedDensityStaysWithinItsBounds)
             high[i] = std::max(high[i], greatestOffer[j]);
             high[j] = std::max(high[j], greatestOffer[i]);
         }
-        // The least and greatest of (G56) in a neighbourhood
-        std::vector<double> least(weighted), greatest(weighted);
-        std::vector<bool> isStableAround(isStable);
+        // The least and greatest curvature of a neighbourhood
+        std::vector<double> least(s.nNodes), greatest(s.nNodes);
+        for (int a = 0; a < s.nNodes; ++a)
+        {
+            least[a] = greatest[a] = r.difference[rowSize*a];
+        }
         for (std::size_t e = 0; e < s.first.size(); ++e)
         {
             const int i = s.first[e], j = s.second[e];
             if (i < s.nNodes)
             {
-                least[i] = std::min(least[i], weighted[j]);
-                least[j] = std::min(least[j], weighted[i]);
-                greatest[i] = std::max(greatest[i], weighted[j]);
-                greatest[j] = std::max(greatest[j], weighted[i]);
-                isStableAround[i] = isStableAround[i] && isStable[j];
-                isStableAround[j] = isStableAround[j] && isStable[i];
+                const double ofI = r.difference[rowSize*i];
+                const double ofJ = r.difference[rowSize*j];
+                least[i] = std::min(least[i], ofJ);
+                least[j] = std::min(least[j], ofI);
+                greatest[i] = std::max(greatest[i], ofJ);
+                greatest[j] = std::max(greatest[j], ofI);
             }
         }
 
         double moved = 0;
         for (int a = 0; a < s.nNodes; ++a)
         {
-            // By what a bound may be exceeded when m is the least
-            auto widening = [&](double m)
-            {
-                const double own = std::abs(weighted[a]);
-                return
-                    isStableAround[a] && isWeak[a] && m > 0
-                  ? std::min(m, std::max(3*(m - 0.55*own), 0.0)) : 0;
-            };
-            const double noise = isStableAround[a] ? gasKernel::noise : 0;
-            low[a] = std::max
-            (
-                low[a]*(1 - noise) - widening(least[a]), 0.5*low[a]
-            );
-            high[a] = high[a]*(1 + noise) + widening(-greatest[a]);
+            low[a] -= std::min(std::max(2*least[a], 0.0), 0.5*low[a]);
+            high[a] += std::max(-2*greatest[a], 0.0);
             const double change = r.sum[rowSize*a]/s.volume[a];
             const double rho = r.low[rowSize*a] + change;
             EXPECT_GE(rho, low[a]*(1 - 1e-12));

@@ -4,7 +4,6 @@ import pytest
 
 from benchmarkCase import BenchmarkCase
 from blockMeshes import box
-from distortedMeshes import perturbed
 from errorNorms import crossing, l1, orders, weights1D
 from exactSolutions import (
     normalShock, pushedPiston, reflectedShock, simpleWave
@@ -83,40 +82,6 @@ def test_weakShockAtSmallCourantNumber(tmp_path, table, mach, courant):
     middle &= p < 1 + 0.9 * (p2 - 1)
     assert abs(x[middle].mean() - 0.2 - WEAK_TRAVEL) < 0.01
     assert middle.sum() < 16
-
-
-# The same in a tube of distorted tetrahedra, four cells across
-WEAK_CELLS = 80
-WEAK_OVERSHOOT_TETRAHEDRA = {1.02: 0.045, 1.08: 0.025, 1.2: 0.02}
-
-
-@pytest.mark.parametrize("courant", [0.4, 0.15])
-@pytest.mark.parametrize("mach", WEAK_OVERSHOOT_TETRAHEDRA)
-def test_weakShockOnTetrahedra(tmp_path, table, mach, courant):
-    p2, rho2, u2 = normalShock(mach)
-    case = BenchmarkCase(tmp_path / "case",
-                         box([(1, WEAK_CELLS)], (0.05, 4), (0.05, 4)))
-    perturbed(case, 0.15)
-
-    def state(x):
-        behind = x[:, 0] < 0.2
-        return [np.where(behind, rho2, 1.0),
-                np.outer(np.where(behind, u2 * C, 0), (1, 0, 0)),
-                np.where(behind, p2, 1.0)]
-
-    case.start(state, {
-        "left": "fixed", "right": "open",
-        **dict.fromkeys(("bottom", "top", "back", "front"), "wall")})
-    case.runTo(0.5 / (mach * C), maxCo=courant)
-    x, p = case.x[:, 0], case.result("p")
-    over = (p.max() - p2) / (p2 - 1)
-    table.add(f"shock, M {mach}, Courant number {courant}",
-              f"{WEAK_CELLS} x 4 x 4 distorted hexahedra",
-              "overshoot of p over the jump", over, "0",
-              WEAK_OVERSHOOT_TETRAHEDRA[mach], seconds=case.seconds)
-    assert over < WEAK_OVERSHOOT_TETRAHEDRA[mach]
-    middle = (p > 1 + 0.1 * (p2 - 1)) & (p < 1 + 0.9 * (p2 - 1))
-    assert abs(x[middle].mean() - 0.7) < 0.02
 
 
 def along(rows):
